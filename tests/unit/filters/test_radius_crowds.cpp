@@ -1,16 +1,11 @@
 // RadiusFilter where much meets at one place: long thin triangles, overlapping floors; and cancelling there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
-#include <atomic>
-#include <chrono>
 #include <random>
-#include <thread>
 
-#include "core/base/process_usage.hpp"
-#include "footfall/errors.hpp"
 #include "footfall/pipeline.hpp"
-#include "footfall/run.hpp"
 #include "tests/reference/radius_promise.hpp"
+#include "tests/support/cancelled_run.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"
@@ -19,8 +14,6 @@ using namespace footfall;
 using namespace footfall::test;
 
 namespace {
-
-using namespace std::chrono_literals;
 
 const std::string kBefore = minimalPipeline(2) + "\n";
 
@@ -108,30 +101,11 @@ class TestRadiusCrowds : public QObject {
   void cancelsInTime() {
     const auto environment = posts(2500).environment();
     const Pipeline pipeline = parsePipeline(kBefore + "RadiusFilter 0.3\n", "test");
-    for (const double after : {20.0, 100.0, 200.0, 300.0, 400.0}) {
-      std::atomic<double> started{-1};
-      RunContext context([&](const RunEvent& event) {
-        if (event.kind == RunEvent::Kind::StepStarted && event.step == 2) started = detail::processCpuMs();
-      });
-      double told = 0;
-      std::atomic<bool> isOver{false};
-      std::thread canceller([&] {
-        while (!isOver && (started < 0 || detail::processCpuMs() < started + after)) std::this_thread::sleep_for(1ms);
-        told = detail::processCpuMs();
-        context.cancel();
-      });
-      bool isCancelled = false;
-      double known = 0;
-      try {
-        runPipeline(environment, pipeline, context, nullptr, 1);
-      } catch (const Cancelled&) {
-        isCancelled = true;
-        known = detail::processCpuMs();
-      }
-      isOver = true;
-      canceller.join();
-      QVERIFY2(isCancelled, "the run was over before it was cancelled");
-      QVERIFY2(known - told < 50, qPrintable(QString::number(known - told)));
+    const double all = stepCpuMs(environment, pipeline, 2);
+    for (const double share : {0.05, 0.2, 0.4, 0.6, 0.8}) {
+      const auto known = cpuMsAfterCancelling(environment, pipeline, 2, share * all);
+      QVERIFY2(known, "the run was over each time before it was cancelled");
+      QVERIFY2(*known < 50, qPrintable(QString("%1 ms at %2").arg(*known).arg(share)));
     }
   }
 };

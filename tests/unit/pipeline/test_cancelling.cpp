@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/base/background_release.hpp"
-#include "core/base/process_usage.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/pipeline.hpp"
+#include "tests/support/cancelled_run.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -157,30 +157,11 @@ void TestCancelling::bordersAsLongAsTheLevel() {
   }
   const Pipeline pipeline =
       parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nSimplificationFilter\n", "test");
-  for (const double after : {10.0, 40.0}) {
-    std::atomic<double> started{-1};
-    RunContext context([&](const RunEvent& event) {
-      if (event.kind == RunEvent::Kind::StepStarted && event.step == 3) started = processCpuMs();
-    });
-    double told = 0;
-    std::atomic<bool> isOver{false};
-    std::thread canceller([&] {
-      while (!isOver && (started < 0 || processCpuMs() < started + after)) std::this_thread::sleep_for(1ms);
-      told = processCpuMs();
-      context.cancel();
-    });
-    bool isCancelled = false;
-    double known = 0;
-    try {
-      runPipeline(environment, pipeline, context, nullptr, 1);
-    } catch (const Cancelled&) {
-      isCancelled = true;
-      known = processCpuMs();
-    }
-    isOver = true;
-    canceller.join();
-    QVERIFY2(isCancelled, "the run was over before it was cancelled");
-    QVERIFY2(known - told < 50, qPrintable(QString::number(known - told)));
+  const double all = test::stepCpuMs(environment, pipeline, 3);
+  for (const double share : {0.1, 0.4}) {
+    const auto known = test::cpuMsAfterCancelling(environment, pipeline, 3, share * all);
+    QVERIFY2(known, "the run was over each time before it was cancelled");
+    QVERIFY2(*known < 50, qPrintable(QString("%1 ms at %2").arg(*known).arg(share)));
   }
 }
 
