@@ -6,12 +6,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <utility>
 #include <vector>
 
+#include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 
@@ -128,11 +130,11 @@ class BoxTree {
   };
   /// Four boxes, coordinate by coordinate, so that they are compared at once; those that are not used overlap nothing.
   struct Group {
-    std::array<std::array<float, kFan>, D> lower, upper;
+    std::array<Float4, D> lower, upper;
     Group() {
       for (int k = 0; k < D; ++k) {
-        lower[k].fill(std::numeric_limits<float>::infinity());
-        upper[k].fill(-std::numeric_limits<float>::infinity());
+        lower[k] = Float4{} + std::numeric_limits<float>::infinity();
+        upper[k] = Float4{} - std::numeric_limits<float>::infinity();
       }
     }
     void set(Index i, const Node& node) {
@@ -144,8 +146,8 @@ class BoxTree {
     [[nodiscard]] Node whole() const {
       Node node;
       for (int k = 0; k < D; ++k) {
-        node.lower[k] = *std::min_element(lower[k].begin(), lower[k].end());
-        node.upper[k] = *std::max_element(upper[k].begin(), upper[k].end());
+        node.lower[k] = std::min({lower[k][0], lower[k][1], lower[k][2], lower[k][3]});
+        node.upper[k] = std::max({upper[k][0], upper[k][1], upper[k][2], upper[k][3]});
       }
       return node;
     }
@@ -207,17 +209,11 @@ class BoxTree {
     return node;
   }
 
-  static std::array<std::int32_t, kFan> findHits(const Group& g, const Node& query) {
-    std::array<std::int32_t, kFan> hit;
-    for (Index i = 0; i < kFan; ++i) {
-      std::int32_t overlaps = 1;
-      for (int k = 0; k < D; ++k) {
-        overlaps &= static_cast<std::int32_t>(g.lower[k][i] <= query.upper[k]);
-        overlaps &= static_cast<std::int32_t>(g.upper[k][i] >= query.lower[k]);
-      }
-      hit[i] = overlaps;
-    }
-    return hit;
+  /// Bit i: box i of the group overlaps the query.
+  static unsigned findHits(const Group& g, const Node& query) {
+    Int4 hits = ~Int4{};
+    for (int k = 0; k < D; ++k) hits &= (g.lower[k] <= query.upper[k]) & (g.upper[k] >= query.lower[k]);
+    return maskOf(hits);
   }
 
   /// Queries in a row along the curve, and the box around all of them.
@@ -230,27 +226,26 @@ class BoxTree {
   template <class Visit>
   void visitGroup(const Row& row, int level, Index group, Visit& visit) const {
     const Group& g = levels_[level][group];
-    const std::array<std::int32_t, kFan> hit = findHits(g, row.whole);
-    if ((hit[0] | hit[1] | hit[2] | hit[3]) == 0) return;
+    unsigned hits = findHits(g, row.whole);
+    if (hits == 0) return;
     if (level > 0) {
-      for (Index i = 0; i < kFan; ++i)
-        if (hit[i] != 0 && lastPlace(group * kFan + i, level) > row.first)
-          visitGroup(row, level - 1, group * kFan + i, visit);
+      for (; hits != 0; hits &= hits - 1) {
+        const Index child = group * kFan + std::countr_zero(hits);
+        if (lastPlace(child, level) > row.first) visitGroup(row, level - 1, child, visit);
+      }
       return;
     }
-    for (Index k = 0; k < row.count; ++k) {
-      const std::array<std::int32_t, kFan> own = findHits(g, row.nodes[k]);
-      for (Index i = 0; i < kFan; ++i)
-        if (own[i] != 0 && group * kFan + i > row.first + k) visit(row.first + k, ids_[group * kFan + i]);
-    }
+    for (Index k = 0; k < row.count; ++k)
+      for (unsigned own = findHits(g, row.nodes[k]); own != 0; own &= own - 1)
+        if (const Index place = group * kFan + std::countr_zero(own); place > row.first + k)
+          visit(row.first + k, ids_[place]);
   }
 
   template <class Visit>
   void visitGroup(const Node& query, int level, Index group, Index first, Visit& visit) const {
-    const std::array<std::int32_t, kFan> hit = findHits(levels_[level][group], query);
-    for (Index i = 0; i < kFan; ++i) {
-      const Index child = group * kFan + i;
-      if (hit[i] == 0 || lastPlace(child, level) < first) continue;
+    for (unsigned hits = findHits(levels_[level][group], query); hits != 0; hits &= hits - 1) {
+      const Index child = group * kFan + std::countr_zero(hits);
+      if (lastPlace(child, level) < first) continue;
       if (level == 0)
         visit(ids_[child]);
       else

@@ -29,12 +29,17 @@ class NumberedTable {
   }
   /// The number of `key`, and whether it is new.
   std::pair<Number, bool> insert(const Key& key) {
-    if (keys_.size() * 2 >= (std::size_t{1} << bits_)) grow();
+    if (isCrowded()) grow();
     Slot* slot = find(key);
     if (slot->filling == filling_) return {slot->number, false};
     *slot = {filling_, static_cast<Number>(keys_.size())};
     keys_.push_back(key);
     return {slot->number, true};
+  }
+  /// Numbers a key that insert() is never called with.
+  Number append(const Key& key) {
+    keys_.push_back(key);
+    return static_cast<Number>(keys_.size() - 1);
   }
   const Key& operator[](Number i) const { return keys_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
@@ -85,8 +90,9 @@ class NumberedTable {
     slots_.assign(slots_.size(), {});  // the numbers of fillings begin again
     filling_ = 1;
   }
+  [[nodiscard]] bool isCrowded() const { return keys_.size() * 2 >= (std::size_t{1} << bits_); }
   void grow() {
-    ++bits_;
+    while (isCrowded()) ++bits_;
     startFilling();
     for (std::size_t i = 0; i < keys_.size(); ++i) *find(keys_[i]) = {filling_, static_cast<Number>(i)};
   }

@@ -15,19 +15,14 @@
 #include <memory>
 #include <span>
 #include <vector>
-#ifdef __SSE2__
-#include <emmintrin.h>
-#endif
 
+#include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/unfilled_array.hpp"
 
 namespace footfall::detail {
-
-/// Four floats that are computed with at once (an extension of GCC and Clang on all processors).
-using Float4 = float __attribute__((vector_size(16)));
 
 /// A box in the frame of a tree, on its way into a node: two halves of 16 bytes.
 struct alignas(16) TreeItem {
@@ -97,7 +92,6 @@ class TriangleTree {
 
  private:
   friend class TriangleTreeBuilder;
-  using Int4 = std::int32_t __attribute__((vector_size(16)));
 
   struct Node {
     std::array<Float4, 3> lower;  ///< by axis, then child; above every upper bound where there is no child
@@ -108,14 +102,6 @@ class TriangleTree {
   static constexpr std::size_t kParallelSize = 8192;  ///< fewer boxes are not worth a second thread
   static constexpr float kFar = 4;                    ///< all boxes lie within 2 in the frame
   static constexpr std::size_t kStackSize = 192;      ///< more than the builder's depth can need
-
-  static unsigned maskOf(Int4 lanes) {
-#ifdef __SSE2__
-    return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
-#else
-    return (lanes[0] & 1U) | (lanes[1] & 2U) | (lanes[2] & 4U) | (lanes[3] & 8U);
-#endif
-  }
 
   [[nodiscard]] float inFrame(double x, int axis) const {
     return static_cast<float>(std::clamp<double>((x - origin_[axis]) * scale_, -kFar, kFar));

@@ -37,8 +37,12 @@ void FaceGeometry::start(Index face) {
   exact_.clear();
   size_ = error_ = 0;
   surely_ = kernel_.sign().slack;
+  if (sources_.size() < mesh.vertices.size() || ++filling_ == 0) {
+    sources_.assign(mesh.vertices.size(), {});
+    filling_ = 1;
+  }
   for (int k = 0; k < 3; ++k) {
-    const Index p = point(PlanPoint::source(mesh.planIds[corners[k]]));
+    const Index p = sourcePoint(mesh.planIds[corners[k]]);
     addBorder(p, static_cast<std::uint8_t>((1 << k) | (1 << ((k + 2) % 3))));
   }
   for (int k = 0; k < 3; ++k) {
@@ -49,13 +53,22 @@ void FaceGeometry::start(Index face) {
   }
 }
 
+Index FaceGeometry::sourcePoint(Index planId) {
+  SourceSlot& slot = sources_[planId];
+  if (slot.filling == filling_) return slot.point;
+  slot = {filling_, points_.append(PlanPoint::source(planId))};
+  Place& place = places_.emplace_back();
+  place.approximate = kernel_.approximateSource(planId, origin_);
+  includeInBound(place.approximate);
+  return slot.point;
+}
+
 Index FaceGeometry::point(const PlanPoint& p) {
+  if (p.kind() == PlanPoint::Source) return sourcePoint(p.planId());
   const auto [id, isNew] = points_.insert(p);
   if (isNew) {
     Place& place = places_.emplace_back();
-    if (p.kind() == PlanPoint::Source) {
-      place.approximate = kernel_.approximateSource(p.planId(), origin_);
-    } else if (const auto quick = kernel_.approximateQuickly(p, origin_)) {
+    if (const auto quick = kernel_.approximateQuickly(p, origin_)) {
       place.approximate = *quick;
     } else {
       place.homogeneous = kernel_.homogeneous(p, origin_);
@@ -81,8 +94,8 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
   PlanLine l = lines_[line1];
   PlanLine m = lines_[line2];
   if (l.kind == PlanLine::Edge && m.kind == PlanLine::Edge) {
-    if (l.a == m.a || l.a == m.b) return point(PlanPoint::source(l.a));
-    if (l.b == m.a || l.b == m.b) return point(PlanPoint::source(l.b));
+    if (l.a == m.a || l.a == m.b) return sourcePoint(l.a);
+    if (l.b == m.a || l.b == m.b) return sourcePoint(l.b);
     if (m.a < l.a || (m.a == l.a && m.b < l.b)) std::swap(l, m);
     return point(PlanPoint::crossing(l, m, -1));
   }
@@ -114,7 +127,7 @@ Index FaceGeometry::borderCrossing(PlanLine l, PlanLine m) {
   if (l.kind == PlanLine::Edge) {
     const double c = kernel_.borderCoordinate(m);
     for (const Index end : {l.a, l.b})
-      if (coordinate(kernel_.mesh().vertices[end], m.a) == c) return point(PlanPoint::source(end));
+      if (coordinate(kernel_.mesh().vertices[end], m.a) == c) return sourcePoint(end);
   }
   return point(PlanPoint::crossing(l, m, l.kind == PlanLine::Trace ? face_ : -1));
 }
@@ -187,6 +200,8 @@ bool FaceGeometry::areKnownCollinear(Index a, Index b, Index c) const {
 
 int FaceGeometry::orientationBeyondBound(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
+  if (kernel_.hasExactOrientations() && isSource(a) && isSource(b) && isSource(c))
+    return kernel_.orientation(points_[a].planId(), points_[b].planId(), points_[c].planId(), fallbacks);
   const MaybeSign filtered =
       filteredOrientation(places_[a].approximate, places_[b].approximate, places_[c].approximate, kernel_.sign().slack);
   if (filtered) return *filtered;

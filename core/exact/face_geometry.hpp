@@ -24,6 +24,8 @@ class FaceGeometry {
   [[nodiscard]] Index origin() const { return origin_; }
 
   Index point(const PlanPoint& p);
+  /// The point at a source vertex.
+  Index sourcePoint(Index planId);
   Index line(const PlanLine& l);
   /// The line of a source edge, by the plan ids of its ends (different ones).
   Index edgeLine(Index planA, Index planB);
@@ -67,11 +69,17 @@ class FaceGeometry {
     std::uint8_t border = 0;
     bool hasHomogeneous = false;
   };
+  /// Source vertices are found by their number: slots carry that of the face that they were filled for.
+  struct SourceSlot {
+    std::uint32_t filling = 0;
+    Index point = -1;
+  };
   struct Line {
     std::array<ErrorDouble, 3> coefficients;  ///< once hasCoefficients
     Index exact = -1;                         ///< in exact_
     bool hasCoefficients = false;
   };
+  [[nodiscard]] bool isSource(Index point) const { return points_[point].kind() == PlanPoint::Source; }
   int orientationBeyondBound(Index a, Index b, Index c);
   /// Makes surely_ hold for a point as well.
   void includeInBound(const ApproximatePoint& point);
@@ -86,7 +94,9 @@ class FaceGeometry {
   Index face_ = -1;
   Index origin_ = -1;
   std::array<int, 3> edgeDirection_{};
-  NumberedTable<PlanPoint> points_;
+  NumberedTable<PlanPoint> points_;  ///< only those that are no source vertices are found by their key
+  std::vector<SourceSlot> sources_;  ///< for each plan id
+  std::uint32_t filling_ = 0;
   NumberedTable<PlanLine> lines_;
   std::vector<Place> places_;
   std::vector<Line> lineValues_;

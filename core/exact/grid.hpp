@@ -53,6 +53,10 @@ struct Grid {
   /// Bits of the largest coordinate as an integer of the grid: all are below 2^width.
   [[nodiscard]] int width() const { return empty() ? 0 : top - low; }
 
+  /// Whether doubles compute the orientation of three places on this grid without a rounding: a difference has one bit
+  /// more than the coordinates, a product of two twice as many, and the difference of two products one more.
+  [[nodiscard]] bool hasExactOrientations() const { return 2 * (width() + 1) + 1 <= 53; }
+
   /// Doubles compute with coordinates times this power of two, which brings the largest to just below 2^36.
   [[nodiscard]] int scaleExponent() const { return empty() ? 0 : kScaledTop - top; }
 

@@ -56,6 +56,7 @@ PlanKernel::PlanKernel(std::shared_ptr<const SourceMesh> mesh, std::vector<doubl
     scaledHeights_.push_back(std::ldexp(h, scale));
   }
   sign_ = grid_.signRule(scale);
+  exactOrientations_ = mesh_->grid.hasExactOrientations();
   for (const std::size_t axis : {0, 1})
     for (double& c : borders_[axis]) {
       c += 0.0;  // no negative zero, as in the mesh

@@ -120,9 +120,15 @@ class PlanKernel {
   /// Orientation in the plan of three source vertices.
   int orientation(Index a, Index b, Index c, ExactFallbacks& count) const {
     const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
+    if (exactOrientations_) {
+      const double area = (pa.x - pc.x) * (pb.y - pc.y) - (pa.y - pc.y) * (pb.x - pc.x);
+      return (area > 0) - (area < 0);
+    }
     const MaybeSign filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
     return filtered ? *filtered : orientationBeyondFilter(a, b, c, count);
   }
+  /// Whether plain doubles decide the orientation of source vertices (Grid).
+  [[nodiscard]] bool hasExactOrientations() const { return exactOrientations_; }
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;
 
@@ -190,6 +196,7 @@ class PlanKernel {
   std::array<std::vector<ErrorDouble>, 2> scaledBorders_;
   Grid grid_;
   SignRule sign_;
+  bool exactOrientations_ = false;
 };
 
 /// Nearest double of a rational, ties to even; overflow gives infinity.

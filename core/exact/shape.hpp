@@ -12,14 +12,13 @@ namespace footfall::detail {
 inline bool isWellInsideCircle(const std::array<double, 2>& a, const std::array<double, 2>& b,
                                const std::array<double, 2>& c) {
   const auto squared = [](const std::array<double, 2>& p) { return p[0] * p[0] + p[1] * p[1]; };
-  const auto term = [&](const std::array<double, 2>& p, const std::array<double, 2>& q, const std::array<double, 2>& r,
-                        double& size) {
-    const double left = q[0] * r[1], right = q[1] * r[0];
-    size += squared(p) * (std::fabs(left) + std::fabs(right));
-    return squared(p) * (left - right);
-  };
-  double size = 0;
-  const double inside = term(a, b, c, size) + term(b, c, a, size) + term(c, a, b, size);
+  const double sa = squared(a), sb = squared(b), sc = squared(c);
+  const double bc = b[0] * c[1], cb = b[1] * c[0], ca = c[0] * a[1], ac = c[1] * a[0], ab = a[0] * b[1],
+               ba = a[1] * b[0];
+  const double inside = sa * (bc - cb) + sb * (ca - ac) + sc * (ab - ba);
+  if (!(inside > 0)) return false;  // as most are
+  const double size = sa * (std::fabs(bc) + std::fabs(cb)) + sb * (std::fabs(ca) + std::fabs(ac)) +
+                      sc * (std::fabs(ab) + std::fabs(ba));
   return inside > size * 0x1p-32;
 }
 

@@ -51,12 +51,17 @@ double coordinate(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 1 
 void classifyTriangle(SourceMesh& mesh, Index t, const SignRule& sign) {
   const auto& [ia, ib, ic] = mesh.triangles[t];
   const Vec3 &a = mesh.scaled[ia], &b = mesh.scaled[ib], &c = mesh.scaled[ic];
-  using E = ErrorDouble;
-  const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
-  const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
   std::int8_t& turn = mesh.facing.own()[t];
   std::array<ErrorDouble, 3>& n = mesh.normals.own()[t];
-  n = cross(u, v);
+  if (mesh.grid.hasExactOrientations()) {  // and so is each component of a normal
+    const Vec3 normal = cross(b - a, c - a);
+    n = {normal.x, normal.y, normal.z};
+  } else {
+    using E = ErrorDouble;
+    const std::array<E, 3> u{E(b.x) - E(a.x), E(b.y) - E(a.y), E(b.z) - E(a.z)};
+    const std::array<E, 3> v{E(c.x) - E(a.x), E(c.y) - E(a.y), E(c.z) - E(a.z)};
+    n = cross(u, v);
+  }
   const Vec3 &ra = mesh.vertices[ia], &rb = mesh.vertices[ib], &rc = mesh.vertices[ic];
   const MaybeSign facingSign = sign(n[2]);
   turn = static_cast<std::int8_t>(facingSign ? *facingSign : facing(ra, rb, rc));

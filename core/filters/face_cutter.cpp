@@ -122,7 +122,7 @@ bool FaceCutter::addPolygon(std::span<const Index> planIds) {
   const auto& f = mesh_.triangles[face_];
   for (std::size_t i = 0; i < planIds.size(); ++i) {
     const Index a = planIds[i], b = planIds[(i + 1) % planIds.size()];
-    const Index point = geometry_.point(PlanPoint::source(a));
+    const Index point = geometry_.sourcePoint(a);
     polygon.push({point, geometry_.edgeLine(a, b), a < b ? 1 : -1});
     polygon.corners[i].corner = static_cast<std::int8_t>(i);
     for (int k = 0; k < 3; ++k) {

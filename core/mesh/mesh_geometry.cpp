@@ -10,12 +10,13 @@
 namespace footfall::detail {
 
 PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle) {
-  PlanTriangle result{triangle.corners, {}, {}, 0};
+  PlanTriangle result{triangle.corners, {}, {}, 0, true};
   for (int k = 0; k < 3; ++k) {
     const MeshVertex& v = vertices[triangle.corners[k]];
     result.x[k] = v.x;
     result.y[k] = v.y;
     result.error = std::max(result.error, v.error);
+    result.isSource = result.isSource && v.source >= 0;
   }
   return result;
 }
@@ -29,6 +30,8 @@ MaybeSign MeshGeometry::filtered(Index a, Index b, Index c) const {
 
 int MeshGeometry::orientation(Index a, Index b, Index c) {
   if (a == b || b == c || a == c) return 0;
+  const Index p = vertices_[a].source, q = vertices_[b].source, r = vertices_[c].source;
+  if (p >= 0 && q >= 0 && r >= 0) return kernel_.orientation(p, q, r, fallbacks);
   const MaybeSign sign = filtered(a, b, c);
   return sign ? *sign : doubtfulOrientation(a, b, c);
 }
@@ -36,8 +39,6 @@ int MeshGeometry::orientation(Index a, Index b, Index c) {
 // By what the points are, else by their values.
 int MeshGeometry::doubtfulOrientation(Index a, Index b, Index c) {
   const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
-  if (p.source >= 0 && q.source >= 0 && r.source >= 0)
-    return kernel_.orientation(p.source, q.source, r.source, fallbacks);
   const auto areOnLineOf = [&](const PlanPoint& x, const PlanPoint& y, const PlanPoint& z) {
     if (x.kind() == PlanPoint::EdgePlane) {
       const PlanLine line = edgeOf(x);
@@ -93,20 +94,25 @@ bool MeshGeometry::isBetween(Index u, Index v, Index w) {
 // One bound serves all doubles, u = 2^-53: relative to one corner, coordinates are at most d in size, and each is off
 // by at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d.
 // The difference of two products of them is then off by at most 2 (4 d f + f^2 + 4 u d^2) + 8 u d^2 (1 + u), and what
-// these roundings themselves lose is covered by 32 in place of 16 and by kInflate.
+// these roundings themselves lose is covered by 32 in place of 16 and by kInflate. Of source vertices on a grid of few
+// bits, all of it is exact.
 bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
   std::array<std::array<double, 3>, 2> x, y;
-  double size = 0;
-  for (int m = 0; m < 2; ++m)
-    for (int k = 0; k < 3; ++k) {
-      const PlanTriangle& own = m == 0 ? s : t;
-      x[m][k] = own.x[k] - s.x[0];
-      y[m][k] = own.y[k] - s.y[0];
-      size = std::max({size, std::fabs(x[m][k]), std::fabs(y[m][k])});
-    }
-  const double error = std::max(s.error, t.error);
-  const double f = 2 * error + 4 * 0x1p-53 * size;
-  const double bound = (8 * size * f + 2 * f * f + 32 * 0x1p-53 * size * size) * kInflate + kernel_.sign().slack;
+  for (int k = 0; k < 3; ++k) {
+    x[0][k] = s.x[k] - s.x[0];
+    y[0][k] = s.y[k] - s.y[0];
+    x[1][k] = t.x[k] - s.x[0];
+    y[1][k] = t.y[k] - s.y[0];
+  }
+  const bool isExact = s.isSource && t.isSource && kernel_.hasExactOrientations();
+  double bound = 0;
+  if (!isExact) {
+    double size = 0;
+    for (int m = 0; m < 2; ++m)
+      for (int k = 0; k < 3; ++k) size = std::max({size, std::fabs(x[m][k]), std::fabs(y[m][k])});
+    const double f = 2 * std::max(s.error, t.error) + 4 * 0x1p-53 * size;
+    bound = (8 * size * f + 2 * f * f + 32 * 0x1p-53 * size * size) * kInflate + kernel_.sign().slack;
+  }
   enum { kSeparates, kDoubtful, kDoesNot };
   std::array<int, 6> verdicts{};
   for (int edge = 0; edge < 6; ++edge) {
@@ -122,7 +128,7 @@ bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
         verdicts[edge] = kDoesNot;
         break;
       }
-      if (!(side < -bound)) verdicts[edge] = kDoubtful;
+      if (!(side < -bound || isExact)) verdicts[edge] = kDoubtful;
     }
     if (verdicts[edge] == kSeparates) return false;
   }

@@ -13,7 +13,8 @@ namespace footfall::detail {
 struct PlanTriangle {
   std::array<Index, 3> corners{};
   std::array<double, 3> x{}, y{};
-  double error = 0;  ///< of any of the coordinates
+  double error = 0;      ///< of any of the coordinates
+  bool isSource = true;  ///< all corners are source vertices
 };
 
 PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle);

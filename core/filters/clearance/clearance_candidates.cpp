@@ -14,7 +14,6 @@ namespace {
 // A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
 // 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.
 constexpr int kDoubleBits = 53;
-bool areOrientationsExact(int bits) { return 2 * (bits + 1) + 1 <= kDoubleBits; }
 // A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
 // added.
 bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
@@ -55,7 +54,7 @@ ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
       poll_(poll) {
   Grid grid = mesh_.grid;
-  exactOrientations_ = !grid.empty() && areOrientationsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+  exactOrientations_ = kernel.hasExactOrientations();
   grid.include(height_);
   exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
 }
@@ -300,7 +299,6 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   const Vec3& at = mesh_.scaled[vertex];
   const double left = line.dx * (at.y - line.y), right = line.dy * (at.x - line.x);
   const double value = left - right;
-  if (exactOrientations_) return (value > 0) - (value < 0);
   // As in PlanKernel::orientation.
   const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
   if (value > bound) return 1;
@@ -310,21 +308,25 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   return kernel_.orientation(line.from, line.to, vertex, fallbacks);
 }
 
+std::array<int, 3> ClearanceCandidates::sidesOf(const Line& line, const std::array<Index, 3>& triangle) {
+  if (!exactOrientations_) return {sideOf(line, triangle[0]), sideOf(line, triangle[1]), sideOf(line, triangle[2])};
+  const auto side = [&](Index vertex) {
+    const Vec3& at = mesh_.scaled[vertex];
+    const double value = line.dx * (at.y - line.y) - line.dy * (at.x - line.x);
+    return (value > 0) - (value < 0);
+  };
+  return {side(triangle[0]), side(triangle[1]), side(triangle[2])};
+}
+
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
   const Index obstacle = candidate.obstacle;
   const auto& o = mesh_.triangles[obstacle];
   const bool isWall = mesh_.facing[obstacle] == 0;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   for (int k = 0; k < 3; ++k) {
-    auto& sides = candidate.sides[k];
-    int most = -1, zeros = 0;
-    for (int j = 0; j < 3; ++j) {
-      const int side = sideOf(edges_[k], o[j]);
-      sides[j] = static_cast<std::int8_t>(side);
-      most = std::max(most, side);
-      zeros += side == 0;
-    }
-    if (most <= 0 && !(isWall && zeros >= 2)) return false;
+    const auto [s0, s1, s2] = sidesOf(edges_[k], o);
+    candidate.sides[k] = {static_cast<std::int8_t>(s0), static_cast<std::int8_t>(s1), static_cast<std::int8_t>(s2)};
+    if (s0 <= 0 && s1 <= 0 && s2 <= 0 && !(isWall && (s0 == 0) + (s1 == 0) + (s2 == 0) >= 2)) return false;
   }
   return !isSeparated(candidate);
 }
@@ -375,9 +377,9 @@ bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
   if (facing != 0) {
     for (int k = 0; k < 3; ++k) {
       const Line edge = facing > 0 ? lineThrough(o[k], o[next(k)]) : lineThrough(o[next(k)], o[k]);
-      auto& sides = candidate.corners[k];
-      for (int j = 0; j < 3; ++j) sides[j] = static_cast<std::int8_t>(sideOf(edge, f[j]));
-      if (sides[0] <= 0 && sides[1] <= 0 && sides[2] <= 0) return true;
+      const auto [s0, s1, s2] = sidesOf(edge, f);
+      candidate.corners[k] = {static_cast<std::int8_t>(s0), static_cast<std::int8_t>(s1), static_cast<std::int8_t>(s2)};
+      if (s0 <= 0 && s1 <= 0 && s2 <= 0) return true;
     }
     return false;
   }
@@ -387,8 +389,7 @@ bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
     if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
   const Line foot = lineThrough(a, b);
   int left = 0, right = 0;
-  for (int j = 0; j < 3; ++j) {
-    const int s = sideOf(foot, f[j]);
+  for (const int s : sidesOf(foot, f)) {
     left += s > 0;
     right += s < 0;
   }

@@ -91,6 +91,8 @@ class ClearanceCandidates {
   /// Whether the boxes of face and obstacle have no more in common, in the plan, than a border on which nothing of the
   /// obstacle can stand on the face. False says nothing.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
+  /// The same of the corners of a triangle.
+  [[nodiscard]] std::array<int, 3> sidesOf(const Line& line, const std::array<Index, 3>& triangle);
   void findEdgesInBox();
   bool isSeparated(ClearanceCandidate& candidate);
   /// Whether each cell of a grid over the face lies under one obstacle that takes all.

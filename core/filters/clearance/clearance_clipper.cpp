@@ -245,8 +245,8 @@ void ClearanceClipper::clipEdges() {
     const auto& o = mesh_.triangles[edge.candidate->obstacle];
     const Index a = mesh_.planIds[o[edge.from]], b = mesh_.planIds[o[edge.to]];
     const Index line = geometry_.edgeLine(a, b);
-    Place first{geometry_.point(PlanPoint::source(a)), edge.from, edge.from};
-    Place last{geometry_.point(PlanPoint::source(b)), edge.to, edge.to};
+    Place first{geometry_.sourcePoint(a), edge.from, edge.from};
+    Place last{geometry_.sourcePoint(b), edge.to, edge.to};
     if (!clipToFace(line, first, last, *edge.candidate) || first.point == last.point ||
         (geometry_.border(first.point) & geometry_.border(last.point)) != 0)
       continue;
@@ -264,7 +264,7 @@ bool ClearanceClipper::addArea(const ClearanceCandidate& candidate) {
     const int i = up ? j : 2 - j;
     const int i2 = up ? next(i) : previous(i);
     const Index a = plan[o[i]], b = plan[o[i2]];
-    polygon.push({geometry_.point(PlanPoint::source(a)), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
+    polygon.push({geometry_.sourcePoint(a), geometry_.edgeLine(a, b), a < b ? 1 : -1, candidate.floor[i],
                   candidate.ceiling[i], false, static_cast<std::int8_t>(i)});
   }
   if (!candidate.coplanar) {

@@ -55,8 +55,8 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
   }
   Place first, last;
   if (reachesAt(candidate, low) && reachesAt(candidate, high)) {
-    first = {geometry_.point(PlanPoint::source(plan[o[low]])), low, low};
-    last = {geometry_.point(PlanPoint::source(plan[o[high]])), high, high};
+    first = {geometry_.sourcePoint(plan[o[low]]), low, low};
+    last = {geometry_.sourcePoint(plan[o[high]]), high, high};
   } else {
     std::tie(first, last) = endsOfWall(candidate, line);
     if (first.point == last.point) return;

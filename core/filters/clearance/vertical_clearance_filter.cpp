@@ -44,14 +44,14 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
   std::vector<char> isGiant(count, 0);
   for (const Index t : giants) isGiant[t] = 1;
   const auto giantCount = static_cast<Index>(giants.size());
-  // What a giant under a crowd takes is no matter of its being one face of many.
-  const double giantShare =
-      std::any_of(giants.begin(), giants.end(), [&](Index t) { return pass.mayBeCrowded(t); }) ? 0.25 : 0;
+  // What a giant under a crowd takes is no matter of its being one face of many. It tells how far it is.
+  std::atomic<double> shareOfGiants{0};
   std::vector<std::atomic<double>> giantsDone(giants.size());
   std::atomic<Index> done{0}, nextTask{0};
   const auto reportProgress = [&] {
     double sum = 0;
     for (const std::atomic<double>& one : giantsDone) sum += one.load(std::memory_order_relaxed);
+    const double giantShare = shareOfGiants.load(std::memory_order_relaxed);
     const double ofGiants = giants.empty() ? 0 : giantShare * sum / static_cast<double>(giants.size());
     const Index faces = done.load(std::memory_order_relaxed);
     context.progress(0.5 * (ofGiants + (1 - giantShare) * faces / count));
@@ -62,6 +62,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
     if (task < giantCount) {
       context.checkCancelled();
       pass.clip(giants[task], own, [&](double share) {
+        shareOfGiants.store(0.25, std::memory_order_relaxed);
         giantsDone[task] = share;
         reportProgress();
       });

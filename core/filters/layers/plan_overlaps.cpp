@@ -44,7 +44,7 @@ class OverlapFinder {
  public:
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
       : mesh_(mesh), context_(context), locals_([&kernel, &mesh] {
-          return Local{MeshGeometry(kernel, mesh.vertices), {}, {}};
+          return Local{MeshGeometry(kernel, mesh.vertices), {}, {}, {}};
         }) {}
 
   /// False when there are more pairs than `most`.
@@ -153,13 +153,14 @@ class OverlapFinder {
     return round;
   }
 
+  using Tree = BoxTree<2>;
   struct Local {
     MeshGeometry geometry;
     std::vector<Pair> found;
     std::vector<Index> hits;
+    std::vector<Tree::Bounds> bounds;  ///< of the triangles that are looked up together
     std::size_t tested = 0;
   };
-  using Tree = BoxTree<2>;
 
   void findInnerSides(const Adjacency& topology) {
     const TriangleCorners corners(mesh_.triangles);
@@ -334,13 +335,21 @@ class OverlapFinder {
   }
 
   void lookUpBorders(const Tree& borders) {
-    forEach(static_cast<std::size_t>(borders.size()), [&](Local& local, std::size_t place) {
-      const Index t = borders.idAt(static_cast<Index>(place));
-      const PlanTriangle plan = planOf(t);
-      const Tree::Bounds bounds = boundsOf(plan);
-      const auto visit = [&](Index o) { test(local, t, plan, o); };
-      borders.visitOverlapping(bounds, visit, static_cast<Index>(place) + 1);
-      others_.visitOverlapping(bounds, visit);
+    const Index count = borders.size();
+    forEach(static_cast<std::size_t>((count + Tree::kRow - 1) / Tree::kRow), [&](Local& local, std::size_t row) {
+      const Index first = static_cast<Index>(row) * Tree::kRow, last = std::min(first + Tree::kRow, count);
+      std::array<PlanTriangle, Tree::kRow> plans;
+      local.bounds.clear();
+      for (Index place = first; place < last; ++place) {
+        plans[place - first] = planOf(borders.idAt(place));
+        local.bounds.push_back(boundsOf(plans[place - first]));
+      }
+      borders.visitOverlapping(first, local.bounds, [&](Index place, Index o) {
+        test(local, borders.idAt(place), plans[place - first], o);
+      });
+      for (Index place = first; place < last; ++place)
+        others_.visitOverlapping(local.bounds[place - first],
+                                 [&](Index o) { test(local, borders.idAt(place), plans[place - first], o); });
     });
   }
 

@@ -1,0 +1,27 @@
+// Four floats that are computed with at once (an extension of GCC and Clang on all processors).
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <bit>
+#include <cstdint>
+
+#ifdef __SSE2__
+#include <xmmintrin.h>
+#endif
+
+namespace footfall::detail {
+
+using Float4 = float __attribute__((vector_size(16)));
+/// What comparing two Float4 gives: all bits of a lane, or none.
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+/// Bit i: lane i of a comparison is true.
+inline unsigned maskOf(Int4 lanes) {
+#ifdef __SSE2__
+  return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
+#else
+  return (lanes[0] & 1U) | (lanes[1] & 2U) | (lanes[2] & 4U) | (lanes[3] & 8U);
+#endif
+}
+
+}  // namespace footfall::detail
