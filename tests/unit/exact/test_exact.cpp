@@ -219,6 +219,43 @@ class TestExact : public QObject {
     }
   }
 
+  // Where doubles are enough, and just beyond: nearly collinear corners of the largest coordinates of a grid.
+  void orientationsOnGridsOfAnyWidth_data() {
+    QTest::addColumn<int>("width");
+    for (int width = 20; width <= 34; ++width) QTest::addRow("%d bits", width) << width;
+  }
+  void orientationsOnGridsOfAnyWidth() {
+    QFETCH(int, width);
+    Random random(width);
+    const double largest = std::ldexp(1.0, width) - 1;
+    const auto near = [&](double x) { return x - std::uniform_int_distribution<int>(0, 3)(random); };
+    QVERIFY(Grid().hasExactOrientations());
+    for (int i = 0; i < 2000 * rounds(); ++i) {
+      TriangleSoup soup;
+      soup.vertices = {{3 - near(largest), 3 - near(largest), near(7)},
+                       {near(largest), near(largest), near(largest)},
+                       {near(0) + std::floor(largest / 3), near(0) + std::floor(largest / 3), 3 - near(largest)},
+                       {largest, 0, 1}};
+      soup.triangles = {{0, 1, 2}, {0, 3, 1}};
+      const auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(soup, false));
+      QCOMPARE(mesh->grid.width(), width);
+      QCOMPARE(mesh->grid.hasExactOrientations(), width <= 25);
+      const PlanKernel kernel(mesh, {2.0});
+      ExactFallbacks count;
+      for (Index t = 0; t < 2; ++t) {
+        const auto& [a, b, c] = mesh->triangles[t];
+        const Rational3 n = rationalNormal(mesh->vertices[a], mesh->vertices[b], mesh->vertices[c]);
+        QCOMPARE(kernel.orientation(a, b, c, count), sgn(n[2]));
+        QCOMPARE(int(mesh->facing[t]), sgn(n[2]));
+        const mpq_class scale(std::ldexp(1.0, 2 * mesh->grid.scaleExponent()));
+        for (int k = 0; k < 3; ++k) {
+          const ErrorDouble component = mesh->normals[t][k];
+          QVERIFY(abs(mpq_class(component.value) - n[k] * scale) <= mpq_class(component.error));
+        }
+      }
+    }
+  }
+
   void triangulation() {
     // Random segments between points of the family: the cells must tile the face, all the right way round.
     Random random(5);
