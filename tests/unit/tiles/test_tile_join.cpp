@@ -92,8 +92,9 @@ std::map<std::string, QByteArray> makeTiles(const PackedEnvironment& environment
                                             const std::string& folder, std::uint64_t mostFaces, int threads = 0) {
   std::filesystem::create_directory(folder);
   RunContext context;
+  OneRank ranks;
   onThreads(threads, [&](int) {
-    return runIntoTiles(environment, parsePipeline(pipeline, "test"), folder, {kEnough, mostFaces}, context);
+    return runIntoTiles(environment, parsePipeline(pipeline, "test"), folder, {kEnough, mostFaces}, ranks, context);
   });
   std::map<std::string, QByteArray> files;
   for (const auto& entry : std::filesystem::directory_iterator(folder))
@@ -111,6 +112,11 @@ class TilesInMemory : public TileStore {
   void add(const Tile& tile) override { tiles.push_back(encodeTile(tile)); }
   Tile read(std::size_t number) override { return decodeTile(tiles[number]); }
   void replace(std::size_t number, const Tile& tile) override { tiles[number] = encodeTile(tile); }
+  std::string write(const std::string& /*name*/, const Tile& tile) override { return encodeTile(tile); }
+  void take(std::size_t number, const std::string& written) override {
+    tiles.resize(std::max(tiles.size(), number + 1));
+    tiles[number] = written;
+  }
 
   std::vector<std::string> tiles;
 };
@@ -130,8 +136,9 @@ QString differenceOf(const PackedEnvironment& environment, const std::string& pi
   options.roles = rolesOf(environment.head(), {});
   for (const std::uint64_t most : cells) {
     TilesInMemory store;
+    OneRank ranks;
     options.mostFaces = most;
-    runCells(environment, parsed, options, store, context);
+    runCells(environment, parsed, options, store, ranks, context);
     TileJoiner joiner;
     for (auto tile = store.tiles.rbegin(); tile != store.tiles.rend(); ++tile) joiner.add(decodeTile(*tile));
     std::shared_ptr<NavigationMesh> joined = joiner.join(context);
@@ -174,7 +181,8 @@ void expectKept(const Soup& soup, const std::string& pipeline, std::size_t trian
   QCOMPARE(differenceOf(environment, pipeline, {1, 3, 1000}), QString());
   RunContext context;
   TilesInMemory store;
-  runCells(environment, parsePipeline(pipeline, "test"), {kEnough, 1}, store, context);
+  OneRank ranks;
+  runCells(environment, parsePipeline(pipeline, "test"), {kEnough, 1}, store, ranks, context);
   std::size_t kept = 0;
   for (const std::string& tile : store.tiles) kept += decodeTile(tile).triangles.size();
   QCOMPARE(kept, triangles);
@@ -415,7 +423,8 @@ void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
   const Pipeline pipeline = parsePipeline(kPipelines[static_cast<std::size_t>(steps)], "test");
   const auto cellsWithin = [&](std::uint64_t megabytes) {
     TilesInMemory store;
-    return runCells(environment, pipeline, {megabytes << 20}, store, context).cells;
+    OneRank ranks;
+    return runCells(environment, pipeline, {megabytes << 20}, store, ranks, context).counts.cells;
   };
   const auto refused = [&](std::uint64_t megabytes) { return wordsOf<InputError>([&] { cellsWithin(megabytes); }); };
   std::uint64_t megabytes = 1;
@@ -475,8 +484,9 @@ void TestTileJoin::whatFailsLeavesNothing() {
     if (event.kind == RunEvent::Kind::StepStarted && --left == 0) running->cancel();
   });
   running = &context;
+  OneRank ranks;
   QVERIFY_EXCEPTION_THROWN(
-      runIntoTiles(environment, parsePipeline(kPipelines[0], "test"), tiles, {kEnough, 20}, context), Cancelled);
+      runIntoTiles(environment, parsePipeline(kPipelines[0], "test"), tiles, {kEnough, 20}, ranks, context), Cancelled);
   QVERIFY(std::filesystem::is_empty(tiles));
 }
 
