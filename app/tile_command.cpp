@@ -214,8 +214,7 @@ void checkShared(const std::string& file, const std::string& folder, RankGroup& 
   while (!fs::exists(file, ignored)) {
     context.checkCancelled();
     if (watch.wallMs() > kPatienceMs)
-      throw RunError(FOOTFALL_TEXT("--output: %1 is not the folder that rank 0 made; give one that all machines share"),
-                     folder);
+      throw RunError("--output: " + folder + " is not the folder that rank 0 made; give one that all machines share");
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
   }
   ranks.gather({}, context);

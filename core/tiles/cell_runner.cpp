@@ -150,6 +150,10 @@ void CellRunner::run(const FaceRange& range, const Visit& visit) {
   }
 }
 
+void CellRunner::requireFloors(std::uint64_t count) const {
+  if (const std::uint64_t bytes = needed({count, count}); bytes > memory_) failTooLittle(bytes - fixed_);
+}
+
 MadeTile CellRunner::runListed(const FloorsAtGaps& atGaps) {
   const OwnFloors own{{}, &atGaps};
   std::optional<MadeTile> made = make(own, withinMemory());

@@ -45,6 +45,8 @@ class CellRunner {
   using Visit = std::function<void(const FaceRange& range, MadeTile& made)>;
   /// Visits what is left of a cell: in pieces, in their order, where it does not fit.
   void run(const FaceRange& range, const Visit& visit);
+  /// Throws InputError where a cell with so many floors can never fit.
+  void requireFloors(std::uint64_t count) const;
   /// The cell of what gaps change.
   MadeTile runListed(const FloorsAtGaps& atGaps);
   /// Runs a cell that ran before, to inspect it exactly.

@@ -104,10 +104,13 @@ class TileRun {
   // from `begin` up to `end`.
   void runPlan(const std::vector<FaceRange>& plan, std::size_t begin, std::size_t end) {
     std::vector<CellOutcome> own;
+    std::uint64_t atGaps = 0;
     ranks_.beginTasks(plan.size());
     while (const std::optional<std::size_t> cell = ranks_.nextTask(context_)) {
       context_.beginStep(begin + (end - begin) * *cell / plan.size(), "cell " + std::to_string(*cell + 1));
       own.push_back(runCell(*cell, plan[*cell], begin));
+      atGaps += own.back().atGaps.floors.size();
+      runner_.requireFloors(atGaps);  // they are one cell, beside which their list is nothing
     }
     const std::vector<std::string> all = ranks_.gather(encodeOutcomes(own, {}), context_);
     own.clear();

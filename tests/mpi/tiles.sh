@@ -94,8 +94,8 @@ for signal in TERM KILL; do
     [ -z "$(ls "${work}/ended"/cell-* 2>/dev/null)" ] || break
     sleep 0.02
   done
-  limit="$(ps -o pid= --ppid "${shell}" | head -n 1 | tr -d ' ')"
-  mpirun="$(ps -o pid= --ppid "${limit:-1}" | head -n 1 | tr -d ' ')"
+  timer="$(ps -o pid= --ppid "${shell}" | head -n 1 | tr -d ' ')"
+  mpirun="$(ps -o pid= --ppid "${timer:-1}" | head -n 1 | tr -d ' ')"
   mapfile -t pids < <(ps -o pid= --ppid "${mpirun:-1}" | tr -d ' ')
   [ "${#pids[@]}" -eq 3 ] || fail "${signal}: ${#pids[@]} ranks"
   case "${signal}" in
