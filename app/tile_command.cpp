@@ -24,6 +24,7 @@
 #include "core/io/packed/pack.hpp"
 #include "core/tiles/cell_runner.hpp"
 #include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_folder.hpp"
 #include "core/tiles/tile_run.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
@@ -36,12 +37,16 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
-/// The folder of the tiles; where it was made for them and nothing comes of it, it is removed again.
+/// The folder of the tiles; where nothing comes of it, it becomes what it was.
 class TargetFolder {
  public:
   explicit TargetFolder(const std::string& path) : path_(path) {
     std::error_code error;
     if (fs::exists(path_, error)) {
+      if (fs::exists(path_ / kUnfinishedRun, error)) {  // which the run goes on from
+        keep();
+        return;
+      }
       if (!fs::is_directory(path_, error) || !fs::is_empty(path_, error))
         throw InputError("--output: " + path + " is there already and is no empty folder; give a new name");
       return;
@@ -50,17 +55,19 @@ class TargetFolder {
     if (!isMade_) throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
   }
   ~TargetFolder() {
+    if (isKept_) return;
+    removeUnfinished(path_.string());
     std::error_code ignored;
     if (isMade_) fs::remove(path_, ignored);
   }
   TargetFolder(const TargetFolder&) = delete;
   TargetFolder& operator=(const TargetFolder&) = delete;
 
-  void keep() { isMade_ = false; }
+  void keep() { isKept_ = true; }
 
  private:
   fs::path path_;
-  bool isMade_ = false;
+  bool isMade_ = false, isKept_ = false;
 };
 
 /// A file that is only there for this run.
@@ -148,6 +155,7 @@ std::string formatTileStatistics(const TileCommandOptions& options, const TileRu
   json["memory"] = {{"bound_bytes", options.memory}, {"peak_bytes", peakOf(result)}};
   json["cells"] = {{"count", result.counts.cells},
                    {"made_smaller", result.counts.refused},
+                   {"taken_over", result.counts.takenOver},
                    {"triangles_read", result.counts.collected},
                    {"most_triangles_at_once", result.counts.largestCell}};
   std::uint64_t triangles = 0, links = 0;
@@ -260,20 +268,28 @@ void runIntoFolder(const TileCommandOptions& options, RunProgram& program, Comma
   };
   if (ranks.isFirst()) program.dropAtEnd(folder = makeTarget(options));
   if (ranks.size() > 1) {
-    if (ranks.isFirst()) seen = ofRun(inFolder("ranks"));
-    checkShared(inFolder("ranks"), options.folder, ranks, context);
+    if (ranks.isFirst()) seen = ofRun(inFolder(kSeenByRanks));
+    checkShared(inFolder(kSeenByRanks), options.folder, ranks, context);
   }
   const bool isPacked = lowerExtension(options.environment.path) == kPackedExtension;
-  const TileRunResult result = onThreads(options.threads, [&](int) {
+  const auto run = [&](int) {
     if (isPacked) return runPacked(options.environment.path, options, bounds, pipeline, ranks, session);
-    const std::string packed = inFolder("environment.ffenv");
+    const std::string packed = inFolder(kPackedForRun);
     if (ranks.isFirst()) {
       copy = ofRun(packed);
       packInto(packed, options, session);
     }
     ranks.fromFirst({}, context);
     return runPacked(packed, options, bounds, pipeline, ranks, session);
-  });
+  };
+  TileRunResult result;
+  try {
+    result = onThreads(options.threads, run);
+  } catch (const Cancelled&) {
+    // mpirun cancels the others when it loses a rank: the next run goes on from there.
+    if (ranks.isFirst() && ranks.size() > 1 && !ranks.hasFailed()) folder->keep();
+    throw;
+  }
   if (!ranks.isFirst()) return;
   folder->keep();
   if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result));

@@ -79,6 +79,7 @@ class RankExchange : public CellExchange, public RankGroup {
 
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int size() const override { return size_; }
+  [[nodiscard]] bool hasFailed() const override { return failure().has_value(); }
   std::vector<std::string> gather(std::string own, RunContext& context) override;
   std::string fromFirst(std::string own, RunContext& context) override;
   void beginTasks(std::size_t count) override;

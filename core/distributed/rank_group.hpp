@@ -26,6 +26,8 @@ class RankGroup {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
   [[nodiscard]] bool isFirst() const { return rank() == 0; }
+  /// Whether another rank has failed; on rank 0.
+  [[nodiscard]] virtual bool hasFailed() const { return false; }
 
   /// Rank 0 returns what all gave, by rank; others return nothing, at once.
   virtual std::vector<std::string> gather(std::string own, RunContext& context) = 0;

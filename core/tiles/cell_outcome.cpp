@@ -37,11 +37,13 @@ void CellCounts::add(const CellCounts& others) {
   largestCell = std::max(largestCell, others.largestCell);
   collected += others.collected;
   refused += others.refused;
+  takenOver += others.takenOver;
 }
 
 std::string encodeOutcomes(const std::vector<CellOutcome>& outcomes, const CellCounts& counts) {
   ByteWriter out;
-  for (const std::uint64_t count : {counts.cells, counts.largestCell, counts.collected, counts.refused})
+  for (const std::uint64_t count :
+       {counts.cells, counts.largestCell, counts.collected, counts.refused, counts.takenOver})
     out.number(count);
   out.number(outcomes.size());
   for (const CellOutcome& outcome : outcomes) {
@@ -66,7 +68,8 @@ std::string encodeOutcomes(const std::vector<CellOutcome>& outcomes, const CellC
 void decodeOutcomes(std::string_view bytes, std::vector<CellOutcome>& outcomes, CellCounts& counts) {
   ByteReader in(bytes);
   CellCounts own;
-  for (std::uint64_t* count : {&own.cells, &own.largestCell, &own.collected, &own.refused}) *count = in.number();
+  for (std::uint64_t* count : {&own.cells, &own.largestCell, &own.collected, &own.refused, &own.takenOver})
+    *count = in.number();
   counts.add(own);
   for (std::size_t left = in.count(kLeastOutcome); left > 0; --left) outcomes.push_back(readOutcome(in));
   in.expectEnd();

@@ -28,6 +28,7 @@ struct CellCounts {
   std::uint64_t largestCell = 0;  ///< triangles that were in memory at once
   std::uint64_t collected = 0;    ///< triangles of all cells together: neighbours have some in common
   std::uint64_t refused = 0;      ///< cells that were made smaller because they would not have fitted
+  std::uint64_t takenOver = 0;    ///< cells of a run that was killed, besides
 
   void add(const CellCounts& others);
 };

@@ -83,6 +83,16 @@ BlockSurvey decodeSurvey(std::string_view bytes) {
   return survey;
 }
 
+std::uint64_t runningBytes(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
+                           const FaceRange& faces, const CellLimits& limits) {
+  CellLimits running = limits;
+  running.perKeptFloor = 0;
+  std::uint64_t bytes = 0;
+  for (const Stretch& stretch : stretchesOf(blocks, floors, faces, running))
+    bytes += (stretch.last - stretch.first) * stretch.bytes;
+  return bytes;
+}
+
 std::vector<FaceRange> planCells(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
                                  const FaceRange& faces, const CellLimits& limits) {
   const std::vector<Stretch> stretches = stretchesOf(blocks, floors, faces, limits);

@@ -32,7 +32,7 @@ std::string encodeSurvey(const BlockSurvey& survey);
 /// Throws BadBytes.
 BlockSurvey decodeSurvey(std::string_view bytes);
 
-/// What cells may hold of their own.
+/// How much a cell may take.
 struct CellLimits {
   std::uint64_t bytes = 0;
   std::uint64_t perFace = 0, perFloor = 0;  ///< bytes while a cell runs
@@ -40,8 +40,12 @@ struct CellLimits {
   std::uint64_t mostFaces = ~0ULL;
 };
 
-/// Divides the faces into as few cells as the limits let there be, all of them with about as many bytes. Within a
-/// block, floors are taken for evenly spread. `floors` are those of each block of the environment.
+/// What a cell of these faces takes while it runs, by the limits. Within a block, floors are taken for evenly spread.
+/// `floors` are those of each block of the environment, here and below.
+std::uint64_t runningBytes(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
+                           const FaceRange& faces, const CellLimits& limits);
+
+/// Divides the faces into as few cells as the limits let there be, all of them with about as many bytes.
 std::vector<FaceRange> planCells(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
                                  const FaceRange& faces, const CellLimits& limits);
 

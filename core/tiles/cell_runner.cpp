@@ -18,6 +18,8 @@ constexpr std::uint64_t kOfBlock = 256, kOfFace = 500, kOfFloor = 1000;
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 // With as much beside it.
 constexpr std::uint64_t kOfTileTriangle = 2 * kOfUnionTriangle;
+// Into so many a city cuts them.
+constexpr double kTrianglesPerFloor = 1.7;
 
 /// Bytes of blocks that are kept from one cell for the next one, which is a neighbour.
 std::uint64_t keptBetween(std::uint64_t memory) {
@@ -63,9 +65,20 @@ CellRunner::CellRunner(const PackedEnvironment& environment, const CellSteps& st
   if (memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(kMegabyte);
 }
 
-CellLimits CellRunner::limits(std::uint64_t mostFaces) const {
-  return {(memory_ - fixed_) / 4 * 3, kOfFace, kOfFloor, isExact() ? kOfTileTriangle : 0,
-          std::max<std::uint64_t>(mostFaces, 1)};
+// With some room, since places differ.
+CellLimits CellRunner::limits(std::uint64_t mostFaces, double seen) const {
+  const auto times = [](std::uint64_t bytes, double factor) {
+    return static_cast<std::uint64_t>(static_cast<double>(bytes) * factor);
+  };
+  return {times(free(), 0.9), times(kOfFace, seen), times(kOfFloor, seen),
+          isExact() ? times(kOfTileTriangle, kTrianglesPerFloor) : 0, std::max<std::uint64_t>(mostFaces, 1)};
+}
+
+std::uint64_t CellRunner::measure(const FaceRange& range) const {
+  environment_.keepBlocks(std::max(free() / 2, keptBetween(memory_)));
+  const std::uint64_t bytes = needed(collector_.measure({range}, context_)) - fixed_;
+  environment_.keepBlocks(keptBetween(memory_));
+  return bytes;
 }
 
 void CellRunner::link(DroppedTriangles dropped) {

@@ -30,8 +30,10 @@ class CellRunner {
   [[nodiscard]] const CellCollector& collector() const { return collector_; }
   /// Those of the run; empty where all parts are floors.
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
-  /// How much a cell may have of its own, with room for what it sees.
-  [[nodiscard]] CellLimits limits(std::uint64_t mostFaces) const;
+  /// How much a cell may take, where with all that it sees it takes `seen` times what its own faces do.
+  [[nodiscard]] CellLimits limits(std::uint64_t mostFaces, double seen) const;
+  /// What a cell takes while it runs, with all that it sees; it is not held.
+  [[nodiscard]] std::uint64_t measure(const FaceRange& range) const;
 
   /// To be set before the first cell runs.
   void setGrid(const Grid& grid) { grid_ = grid; }

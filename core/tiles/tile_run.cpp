@@ -66,10 +66,7 @@ class TileRun {
     runner_.setGrid(grid_);
     const bool isTwice = steps_.step && steps_.minimumArea;
     if (steps_.step && !isTwice) runner_.link({});
-    runPlan(planCells(environment_.blocks(), survey.floors,
-                      {endOfSlice(options_.slice.number - 1), endOfSlice(options_.slice.number)},
-                      runner_.limits(options_.mostFaces)),
-            0, isTwice ? kTileRunSteps / 2 : kTileRunSteps);
+    runPlan(planOf(survey), 0, isTwice ? kTileRunSteps / 2 : kTileRunSteps);
     if (isTwice) linkAfterArea();
     if (ranks_.isFirst()) runBehindCells(!isTwice);
     tellStatistics(watch);
@@ -86,7 +83,10 @@ class TileRun {
   void checkSame() {
     const std::string own = formatTileIndex(result_.set) + std::to_string(options_.memory) + ' ' +
                             std::to_string(options_.mostFaces) + ' ' + FOOTFALL_VERSION;
-    if (ranks_.fromFirst(own, context_) != own) throw RunError(differsFromFirst());
+    const bool goesOn = ranks_.isFirst() && store_.begin(own);
+    const std::string told = ranks_.fromFirst((goesOn ? 'y' : 'n') + own, context_);
+    if (told.substr(1) != own) throw RunError(differsFromFirst());
+    if (told[0] == 'y') store_.goOn();
   }
 
   // Each rank reads a part of the blocks, all of them what was found.
@@ -98,6 +98,40 @@ class TileRun {
     BlockSurvey all;
     for (const std::string& part : ranks_.gather(encodeSurvey(own), context_)) all.add(decodeSurvey(part));
     return decodeSurvey(ranks_.fromFirst(encodeSurvey(all), context_));
+  }
+
+  // What cells see beside their own is different in each environment, and for each pipeline: some are measured where
+  // there are many.
+  std::vector<FaceRange> planOf(const BlockSurvey& survey) {
+    constexpr double kInCity = 1.2, kInCityWithSteps = 1.7;
+    constexpr std::size_t kMostSamples = 4, kCellsOfSample = 8;
+    const FaceRange faces{endOfSlice(options_.slice.number - 1), endOfSlice(options_.slice.number)};
+    const auto planFor = [&](double seen) {
+      return planCells(environment_.blocks(), survey.floors, faces, runner_.limits(options_.mostFaces, seen));
+    };
+    const std::vector<FaceRange> usual = planFor(steps_.step ? kInCityWithSteps : kInCity);
+    const std::size_t samples = std::min(usual.size() / kCellsOfSample, kMostSamples);
+    if (samples == 0) return usual;
+    double seen = 1;
+    for (std::size_t i = 0; i < samples; ++i) {
+      const std::size_t number = usual.size() * (2 * i + 1) / (2 * samples);
+      // By the rank that is to begin there, mostly.
+      if (number * static_cast<std::size_t>(ranks_.size()) / usual.size() != static_cast<std::size_t>(ranks_.rank()))
+        continue;
+      const FaceRange& cell = usual[number];
+      const std::uint64_t own =
+          runningBytes(environment_.blocks(), survey.floors, cell, runner_.limits(options_.mostFaces, 1));
+      seen = std::max(seen, static_cast<double>(runner_.measure(cell)) / static_cast<double>(own));
+    }
+    const auto bytesOf = [](double number) {
+      ByteWriter out;
+      out.real(number);
+      return std::move(out.bytes);
+    };
+    for (const std::string& part : ranks_.gather(bytesOf(seen), context_))
+      seen = std::max(seen, ByteReader(part).real());
+    const std::string all = ranks_.fromFirst(bytesOf(seen), context_);
+    return planFor(ByteReader(all).real());
   }
 
   // Cells are tasks for whoever is free; their tiles are numbered in the order of the plan. Steps of progress are those
@@ -121,14 +155,30 @@ class TileRun {
   }
 
   CellOutcome runCell(std::size_t cell, const FaceRange& range, std::size_t round) {
+    const std::string name = "cell-" + std::to_string(round) + '-' + std::to_string(cell);
+    if (std::optional<CellOutcome> kept = keptCell(name, cell)) return std::move(*kept);
     CellOutcome outcome{cell, {}, {}};
     runner_.run(range, [&](const FaceRange& piece, MadeTile& made) {
-      const std::string name =
-          "cell-" + std::to_string(round) + '-' + std::to_string(cell) + '-' + std::to_string(outcome.pieces.size());
       outcome.atGaps.add(made.atGaps);
-      outcome.pieces.push_back({piece, made.tile.triangles.empty() ? std::string() : store_.write(name, made.tile)});
+      const std::string tile = name + '-' + std::to_string(outcome.pieces.size());
+      outcome.pieces.push_back({piece, made.tile.triangles.empty() ? std::string() : store_.write(tile, made.tile)});
     });
+    store_.keepCell(name, encodeOutcomes({outcome}, {}));
     return outcome;
+  }
+
+  // What a run that was killed left of a cell.
+  std::optional<CellOutcome> keptCell(const std::string& name, std::size_t cell) {
+    const std::string bytes = store_.keptCell(name);
+    if (bytes.empty()) return std::nullopt;
+    std::vector<CellOutcome> outcomes;
+    CellCounts none;
+    decodeOutcomes(bytes, outcomes, none);
+    if (outcomes.size() != 1 || outcomes[0].cell != cell) return std::nullopt;
+    for (const CellOutcome::Piece& piece : outcomes[0].pieces)
+      if (!piece.written.empty() && !store_.has(piece.written)) return std::nullopt;
+    ++takenOver_;
+    return std::move(outcomes[0]);
   }
 
   // Cells that ran before have a tile each, which the first piece replaces.
@@ -266,8 +316,9 @@ class TileRun {
   void tellStatistics(const Stopwatch& watch) {
     result_.wallMs = watch.wallMs();
     result_.cpuMs = watch.cpuMs();
-    const TileRankStatistics own{runner_.counts(), environment_.bytesRead(), peakRssBytes(), result_.wallMs,
-                                 result_.cpuMs};
+    CellCounts counts = runner_.counts();
+    counts.takenOver = takenOver_;
+    const TileRankStatistics own{counts, environment_.bytesRead(), peakRssBytes(), result_.wallMs, result_.cpuMs};
     for (const std::string& rank : ranks_.gather(encode(own), context_)) {
       result_.ranks.push_back(decodeRank(rank));
       result_.counts.add(result_.ranks.back().counts);
@@ -286,6 +337,7 @@ class TileRun {
   bool isAgain_ = false;          ///< cells have a tile each already
   bool hasListed_ = false;        ///< behind the tiles of cells there is one of what gaps change
   std::vector<FaceRange> cells_;  ///< of each tile
+  std::uint64_t takenOver_ = 0;   ///< cells of an earlier run
   TileRunResult result_;
 };
 
@@ -312,10 +364,10 @@ TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pip
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RankGroup& ranks, RunContext& context) {
   TileFolder tiles(folder, context);
+  if (ranks.size() > 1) tiles.leaveUnfinished();
   TileRunResult result = runCells(environment, pipeline, options, tiles, ranks, context);
   if (ranks.isFirst()) tiles.finish(result.set);
-  ranks.fromFirst({}, context);  // until then, whoever fails removes its own
-  tiles.keep();
+  ranks.fromFirst({}, context);  // others are at work as long as rank 0 is
   return result;
 }
 

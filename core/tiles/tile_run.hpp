@@ -50,17 +50,19 @@ void checkSlice(const CellSteps& steps, const TileSlice& slice);
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
                        TileStore& store, RankGroup& ranks, RunContext& context);
 
-/// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there and empty, then the
-/// index. Cells follow the order of the packed environment's blocks, and are as large as the memory lets them be by
-/// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
-/// threads and however many ranks.
+/// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there, and empty unless a
+/// run of the same did not end there, then the index. Cells follow the order of the packed environment's blocks, and
+/// are as large as the memory lets them be by what is known before they run; so the same environment, pipeline and
+/// options give the same bytes, whatever the threads and however many ranks.
 ///
 /// All ranks call it, with the same environment, pipeline and options and a folder that all of them see. They share the
 /// cells; what comes behind them is done by rank 0, whose result is the whole one. That of others has statistics only.
 ///
 /// Throws InputError where a filter cannot keep to a bound of memory or see over slices, and where the bound is too
 /// little, with what it must be; RunError as writeFileSafely() does and where ranks were given different things, and
-/// Cancelled. Then what was written is removed.
+/// Cancelled. Then what was written is removed; with several ranks it stays for removeUnfinished(), or for a run that
+/// goes on from there, with any number of ranks: so does the folder of a run that was killed. What was found there when
+/// the run began stays, too.
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
                            const TileRunOptions& options, RankGroup& ranks, RunContext& context);
 

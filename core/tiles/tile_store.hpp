@@ -27,6 +27,19 @@ class TileStore {
   virtual std::string write(const std::string& name, const Tile& tile) = 0;
   /// Makes a written tile the one of that number; that of the first one behind all others adds it.
   virtual void take(std::size_t number, const std::string& written) = 0;
+
+  // Where a store outlives a run that is killed, the next one finds what became of cells.
+
+  /// Rank 0, before all others: whether there is something of an earlier run of the same, which `what` tells from all
+  /// others. Throws InputError where there is something else.
+  virtual bool begin(const std::string& /*what*/) { return false; }
+  /// All ranks: there is. What is there stays when this run fails.
+  virtual void goOn() {}
+  virtual void keepCell(const std::string& /*name*/, const std::string& /*bytes*/) {}
+  /// Empty where there is none.
+  virtual std::string keptCell(const std::string& /*name*/) { return {}; }
+  /// Whether a tile of an earlier run is whole.
+  virtual bool has(const std::string& /*written*/) { return false; }
 };
 
 }  // namespace footfall::detail

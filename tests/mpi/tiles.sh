@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # tiles.sh: footfall-mpi run --memory by mpirun, with 1 to 4 processes, leaves the folder of footfall run --memory, of
-# which no process reads all; what is wrong is said once and leaves nothing, and neither does a run that is ended.
+# which no process reads all; what is wrong is said once and leaves nothing, and where a run was
+# ended the next one goes on.
 # Environment as check.sh, with footfall-samples beside FOOTFALL.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
@@ -84,7 +85,7 @@ ranks 2 sh -c 'exec "$1" run "$2" --memory 1G --quiet -o "$3/none$OMPI_COMM_WORL
 [ "$(grep -c "^footfall-mpi: rank 1: .*is not the folder that rank 0 made" "${work}/err")" -eq 1 ] || fail "other folders"
 [ ! -e "${work}/none0" ] || fail "other folders: leaves $(ls "${work}/none0")"
 
-# Asked to end, all ranks do, and leave nothing; a rank that is killed ends all.
+# Asked to end, all ranks do; a rank that is killed ends all. The next run goes on from there.
 is_alive() { [[ "$(ps -o stat= -p "$1" 2>/dev/null)" =~ ^[^Z] ]]; }
 for signal in TERM KILL; do
   ranks 3 "${FOOTFALL_MPI}" run "${city}" "${steps[@]}" --quiet --threads 1 -o "${work}/ended" >"${work}/out" \
@@ -113,6 +114,12 @@ for signal in TERM KILL; do
     ! is_alive "${pid}" || fail "${signal}: a rank goes on"
   done
   [ ! -e "${work}/ended/index.json" ] || fail "${signal}: an index of half a run"
-  if [ "${signal}" = TERM ] && [ -e "${work}/ended" ]; then fail "${signal}: leaves $(ls "${work}/ended")"; fi
+  kept="$(find "${work}/ended" -name '*.cell' | wc -l)"
+  [ "${kept}" -gt 0 ] || fail "${signal}: no cells are left"
+  ranks 2 "${FOOTFALL_MPI}" run "${city}" "${steps[@]}" --quiet --threads 1 -o "${work}/ended" \
+    --stats "${work}/stats.json" || fail "${signal}: the next run ended with $?"
+  diff -r "${work}/one" "${work}/ended" || fail "${signal}: the next run left another folder"
+  grep -q "\"taken_over\": ${kept}," "${work}/stats.json" || fail "${signal}: ${kept} cells were there"
+  rm -r "${work}/ended"
 done
 echo "the same folders"

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/tiles/cell_plan.hpp"
+#include "core/tiles/tile_folder.hpp"
 #include "footfall/errors.hpp"
 #include "tests/support/rank_runs.hpp"
 #include "tests/unit/tiles/tile_cases.hpp"
@@ -61,6 +62,8 @@ class TestTileRanks : public QObject {
   void theGroupGivesEachTaskOnce();
   void otherThingsAreRefused();
   void aRankThatFailsLeavesNothing();
+  void aRunThatWasKilledGoesOn_data();
+  void aRunThatWasKilledGoesOn();
   void wrongInputIsToldAsSuch();
   void cellsOfAPlanAreAlike();
 };
@@ -149,6 +152,7 @@ void TestTileRanks::otherThingsAreRefused() {
     runIntoTiles(environment, pipeline, folder.path("tiles"), {kEnough, 20}, group, context);
   });
   QVERIFY2(errors[0].starts_with("rank 1: this rank works on something else than rank 0"), errors[0].c_str());
+  removeUnfinished(folder.path("tiles"));
   QVERIFY(std::filesystem::is_empty(folder.path("tiles")));
 }
 
@@ -168,8 +172,62 @@ void TestTileRanks::aRankThatFailsLeavesNothing() {
           if (rank == failing && event.kind == RunEvent::Kind::StepStarted && --left == 0) throw RunError("killed");
         });
     QCOMPARE(errors[0], failing == 0 ? std::string("killed") : "rank " + std::to_string(failing) + ": killed");
+    removeUnfinished(folder.path("tiles"));
     QVERIFY(std::filesystem::is_empty(folder.path("tiles")));
   }
+}
+
+void TestTileRanks::aRunThatWasKilledGoesOn_data() {
+  QTest::addColumn<int>("steps");
+  QTest::addColumn<int>("pipeline");
+  // In the cells, in those that run once more, and behind all of them.
+  for (const int steps : {6, 20, 40, 74}) QTest::addRow("cells, step %d", steps) << steps << 3;
+  for (const int steps : {6, 20, 38, 39, 40}) QTest::addRow("default pipeline, step %d", steps) << steps << 7;
+}
+
+void TestTileRanks::aRunThatWasKilledGoesOn() {
+  QFETCH(int, steps);
+  QFETCH(int, pipeline);
+  const std::string& filters = kOfRanks[static_cast<std::size_t>(pipeline)];
+  const TemporaryFolder folder;
+  const std::string level = packed(sample("house"), folder), tiles = folder.path("tiles");
+  const TileRunOptions options{kEnough, 8};
+  TileRunResult whole;
+  const Files one = filesOfRanks(level, filters, folder.path("one"), 1, options, &whole);
+  std::filesystem::create_directory(tiles);
+  std::atomic<int> left = steps;
+  runAsGroup(
+      3,
+      [&](RankGroup& group, RunContext& context) {
+        const PackedEnvironment opened(level);
+        runIntoTiles(opened, parsePipeline(filters, "test"), tiles, options, group, context);
+      },
+      [&](int, const RunEvent& event) {
+        if (event.kind == RunEvent::Kind::StepStarted && --left == 0) throw RunError("killed");
+      });
+  QVERIFY(std::filesystem::exists(tiles + '/' + kUnfinishedRun));
+  // Something else does not go on there, and leaves what there is.
+  const Files before = filesIn(tiles);
+  const auto errors = runAsGroup(1, [&](RankGroup& group, RunContext& context) {
+    const PackedEnvironment opened(level);
+    runIntoTiles(opened, parsePipeline(kPipelines[0], "test"), tiles, options, group, context);
+  });
+  QVERIFY2(errors[0].find("has a run that did not end") != std::string::npos, errors[0].c_str());
+  QVERIFY(filesIn(tiles) == before);
+  // One of its tiles is damaged.
+  std::size_t cells = 0;
+  bool isDamaged = false;
+  for (const auto& [name, bytes] : before) {
+    cells += name.ends_with(".cell") ? 1 : 0;
+    if (isDamaged || !name.starts_with("cell-") || !name.ends_with(".fftile")) continue;
+    isDamaged = true;
+    std::filesystem::resize_file(tiles + '/' + name, static_cast<std::uintmax_t>(bytes.size()) / 2);
+  }
+  TileRunResult result;
+  QVERIFY(filesOfRanks(level, filters, tiles, 2, options, &result) == one);
+  QVERIFY(result.counts.takenOver < cells + 1);
+  QVERIFY(result.counts.takenOver + (isDamaged ? 1 : 0) >= cells);
+  QVERIFY(cells > 1);
 }
 
 void TestTileRanks::wrongInputIsToldAsSuch() {
