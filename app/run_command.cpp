@@ -106,7 +106,13 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
   return options.quiet ? std::string() : program.summary(formatSummary(*environment, result, times));
 }
 
-void runAs(RunProgram& program, RunOptions& options) {
+void runWithin(const RunOptions& options, RunProgram& program, CommandSession& session) {
+  runIntoFolder({options.environment, options.pipeline, options.exported.output, options.statistics, options.memory,
+                 options.slice, options.threads, options.quiet},
+                program, session);
+}
+
+void runAs(RunProgram& program, RunOptions& options, bool isWithin) {
   options.exported.finish();
   program.begin(options.threads);
   options.quiet = options.quiet || !program.writes();
@@ -114,19 +120,24 @@ void runAs(RunProgram& program, RunOptions& options) {
   program.setContext(&session.context());
   const auto forget = [](RunProgram* running) { running->setContext(nullptr); };
   const std::unique_ptr<RunProgram, decltype(forget)> forgotten(&program, forget);
-  print(runAndExport(options, session, program));
+  if (isWithin)
+    runWithin(options, program, session);
+  else
+    print(runAndExport(options, session, program));
   program.end();
 }
 
 /// Tiles are no export: what is said of one is said when they are joined.
-void addMemory(CLI::App& command, RunOptions& options) {
+CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
   CLI::Option* memory =
       command
-          .add_option("--memory", options.memory,
-                      "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), and "
-                      "write tiles into the folder OUT, for `footfall join`. For pipelines of local filters, which a "
-                      "StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, as in the "
-                      "default pipeline")
+          .add_option(
+              "--memory", options.memory,
+              "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), each "
+              "process by itself, and write tiles into the folder OUT, for `footfall join`. For pipelines of local "
+              "filters, which a "
+              "StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, as in the "
+              "default pipeline")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   command
@@ -137,11 +148,7 @@ void addMemory(CLI::App& command, RunOptions& options) {
       ->type_name("K/N");
   for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
   for (const char* name : {"--trace", "--report", "--speed-up"}) memory->excludes(command.get_option(name));
-}
-
-void runWithin(const RunOptions& options) {
-  runIntoFolder({options.environment, options.pipeline, options.exported.output, options.statistics, options.memory,
-                 options.slice, options.threads, options.quiet});
+  return memory;
 }
 
 }  // namespace
@@ -154,7 +161,7 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                           "One step, such as \"SlopeFilter 45\"; give it once for each step. Without steps and file "
                           "the default pipeline runs");
   addThreads(command, options->threads);
-  options->exported.addTo(command, program.hasBound() ? ". With --memory, the folder of the tiles" : "");
+  options->exported.addTo(command, ". With --memory, the folder of the tiles");
   command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
       ->type_name("FILE.json");
   command
@@ -166,15 +173,9 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                    "Also run everything three times more, and three times on one thread without parallel blocks, to "
                    "tell the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
-  if (program.hasBound()) addMemory(command, *options);
+  const CLI::Option* memory = addMemory(command, *options);
   program.addOptions(command);
-  command.callback([options, &program, &command] {
-    const CLI::Option* memory = command.get_option_no_throw("--memory");
-    if (memory != nullptr && memory->count() > 0)
-      runWithin(*options);
-    else
-      runAs(program, *options);
-  });
+  command.callback([options, &program, memory] { runAs(program, *options, memory->count() > 0); });
 }
 
 }  // namespace footfall::app

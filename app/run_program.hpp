@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/command_session.hpp"
+#include "core/distributed/rank_group.hpp"
 
 namespace footfall::app {
 
@@ -18,9 +19,8 @@ class RunProgram {
   RunProgram(const RunProgram&) = delete;
   RunProgram& operator=(const RunProgram&) = delete;
 
+  /// Behind those of the command itself.
   virtual void addOptions(CLI::App& /*command*/) {}
-  /// Whether it can run within a bound of memory, by itself.
-  [[nodiscard]] virtual bool hasBound() const { return true; }
   /// Nothing is read yet.
   virtual void begin(int /*threads*/) {}
   /// Whether progress is shown where standard error is no terminal, too.
@@ -29,6 +29,11 @@ class RunProgram {
   virtual void setContext(RunContext* /*context*/) {}
   /// False: another process tells and writes what there is.
   [[nodiscard]] virtual bool writes() const { return true; }
+  /// Those that share a run within a bound of memory; null: nobody else does.
+  [[nodiscard]] virtual detail::RankGroup* group() { return nullptr; }
+  /// Drops what the run must leave behind it: at once, or where other processes work with it, when all of them are
+  /// over.
+  virtual void dropAtEnd(std::shared_ptr<void> /*thing*/) {}
   /// The result's mesh may be null in a process that does not write.
   virtual RunResult run(CommandSession& session, const std::shared_ptr<const Environment>& environment,
                         const Pipeline& pipeline, const PipelineOptions& options, double /*loadMs*/) {

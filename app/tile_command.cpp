@@ -3,21 +3,28 @@
 
 #include <algorithm>
 #include <charconv>
+#include <chrono>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <system_error>
+#include <thread>
+#include <utility>
 
 #include "app/command_session.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
+#include "core/distributed/rank_group.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/export.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/packed/pack.hpp"
+#include "core/tiles/cell_runner.hpp"
 #include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_folder.hpp"
 #include "core/tiles/tile_run.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
@@ -30,12 +37,16 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
-/// The folder of the tiles; where it was made for them and nothing comes of it, it is removed again.
+/// The folder of the tiles; where nothing comes of it, it becomes what it was.
 class TargetFolder {
  public:
   explicit TargetFolder(const std::string& path) : path_(path) {
     std::error_code error;
     if (fs::exists(path_, error)) {
+      if (fs::exists(path_ / kUnfinishedRun, error)) {  // which the run goes on from
+        keep();
+        return;
+      }
       if (!fs::is_directory(path_, error) || !fs::is_empty(path_, error))
         throw InputError("--output: " + path + " is there already and is no empty folder; give a new name");
       return;
@@ -44,31 +55,31 @@ class TargetFolder {
     if (!isMade_) throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
   }
   ~TargetFolder() {
+    if (isKept_) return;
+    removeUnfinished(path_.string());
     std::error_code ignored;
     if (isMade_) fs::remove(path_, ignored);
   }
   TargetFolder(const TargetFolder&) = delete;
   TargetFolder& operator=(const TargetFolder&) = delete;
 
-  void keep() { isMade_ = false; }
+  void keep() { isKept_ = true; }
 
  private:
   fs::path path_;
-  bool isMade_ = false;
+  bool isMade_ = false, isKept_ = false;
 };
 
-/// A packed environment that is only there for this run.
-class PackedCopy {
+/// A file that is only there for this run.
+class FileOfRun {
  public:
-  explicit PackedCopy(const std::string& folder) : path_((fs::path(folder) / "environment.ffenv").string()) {}
-  ~PackedCopy() {
+  explicit FileOfRun(std::string path) : path_(std::move(path)) {}
+  ~FileOfRun() {
     std::error_code ignored;
     fs::remove(path_, ignored);
   }
-  PackedCopy(const PackedCopy&) = delete;
-  PackedCopy& operator=(const PackedCopy&) = delete;
-
-  [[nodiscard]] const std::string& path() const { return path_; }
+  FileOfRun(const FileOfRun&) = delete;
+  FileOfRun& operator=(const FileOfRun&) = delete;
 
  private:
   std::string path_;
@@ -85,9 +96,9 @@ PackingMemory packingWithin(std::uint64_t memory) {
   return packing;
 }
 
-void packInto(const PackedCopy& copy, const TileCommandOptions& options, CommandSession& session) {
+void packInto(const std::string& target, const TileCommandOptions& options, CommandSession& session) {
   session.begin("packing");
-  const PackResult packed = packEnvironment(options.environment.path, copy.path(), options.environment.import(),
+  const PackResult packed = packEnvironment(options.environment.path, target, options.environment.import(),
                                             &session.context(), packingWithin(options.memory));
   session.end();
   if (options.quiet) return;
@@ -130,16 +141,23 @@ void checkOptions(const TileCommandOptions& options) {
   if (options.folder.empty()) throw InputError("--memory: give the folder for the tiles with -o");
 }
 
+std::uint64_t peakOf(const TileRunResult& result) {
+  std::uint64_t peak = peakRssBytes();
+  for (const TileRankStatistics& rank : result.ranks) peak = std::max(peak, rank.peakBytes);
+  return peak;
+}
+
 std::string formatTileStatistics(const TileCommandOptions& options, const TileRunResult& result) {
   nlohmann::ordered_json json;
   json["footfall"] = FOOTFALL_VERSION;
   json["environment"] = {{"source", options.environment.path}, {"triangles", result.set.triangles}};
   json["pipeline"] = result.set.pipeline;
-  json["memory"] = {{"bound_bytes", options.memory}, {"peak_bytes", peakRssBytes()}};
-  json["cells"] = {{"count", result.cells},
-                   {"made_smaller", result.refused},
-                   {"triangles_read", result.collected},
-                   {"most_triangles_at_once", result.largestCell}};
+  json["memory"] = {{"bound_bytes", options.memory}, {"peak_bytes", peakOf(result)}};
+  json["cells"] = {{"count", result.counts.cells},
+                   {"made_smaller", result.counts.refused},
+                   {"taken_over", result.counts.takenOver},
+                   {"triangles_read", result.counts.collected},
+                   {"most_triangles_at_once", result.counts.largestCell}};
   std::uint64_t triangles = 0, links = 0;
   for (const TileEntry& tile : result.set.tiles) {
     triangles += tile.triangles;
@@ -147,6 +165,15 @@ std::string formatTileStatistics(const TileCommandOptions& options, const TileRu
   }
   json["tiles"] = {{"count", result.set.tiles.size()}, {"triangles", triangles}, {"links", links}};
   json["times_ms"] = {{"wall", result.wallMs}, {"cpu", result.cpuMs}};
+  json["ranks"] = nlohmann::ordered_json::array();
+  for (const TileRankStatistics& rank : result.ranks)
+    json["ranks"].push_back({{"rank", json["ranks"].size()},
+                             {"cells", rank.counts.cells},
+                             {"triangles_read", rank.counts.collected},
+                             {"bytes_read", rank.bytesRead},
+                             {"peak_bytes", rank.peakBytes},
+                             {"wall_ms", rank.wallMs},
+                             {"cpu_ms", rank.cpuMs}});
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n';
 }
 
@@ -159,7 +186,8 @@ std::string summaryOf(const TileCommandOptions& options, const TileRunResult& re
   return options.folder + ": " + counted(result.set.tiles.size(), "1 tile", "%1 tiles") + ", " +
          counted(triangles, "1 walkable triangle", "%1 walkable triangles") + " of " +
          counted(result.set.triangles, "1 triangle", "%1 triangles") + "; peak memory " +
-         std::to_string((peakRssBytes() + kMegabyte - 1) / kMegabyte) + " MB\n";
+         std::to_string((peakOf(result) + kMegabyte - 1) / kMegabyte) + " MB" +
+         (result.ranks.size() > 1 ? ", the most of " + std::to_string(result.ranks.size()) + " ranks\n" : "\n");
 }
 
 /// Nothing but tiles and their index goes into their folder.
@@ -174,43 +202,99 @@ void checkOutside(const std::string& statistics, const std::string& folder) {
                      statistics);
 }
 
+/// What rank 0 sees to before anything runs. Returns the folder.
+std::shared_ptr<TargetFolder> makeTarget(const TileCommandOptions& options) {
+  WriteTargets targets = targetsBeside(options.environment, options.pipeline);
+  checkEnding(options.statistics, "--stats", ".json");
+  checkOutside(options.statistics, options.folder);
+  targets.add(options.statistics, Pattern{"the statistics"});
+  return std::make_shared<TargetFolder>(options.folder);
+}
+
+/// Throws RunError where the folder of rank 0 is not that of this rank: it must have the file. A network may take a
+/// while to show it.
+void checkShared(const std::string& file, const std::string& folder, RankGroup& ranks, RunContext& context) {
+  constexpr double kPatienceMs = 10000;
+  if (ranks.isFirst()) writeFileSafely(file, "The ranks look for this file.\n");
+  ranks.fromFirst({}, context);
+  const Stopwatch watch;
+  std::error_code ignored;
+  while (!fs::exists(file, ignored)) {
+    context.checkCancelled();
+    if (watch.wallMs() > kPatienceMs)
+      throw RunError("--output: " + folder + " is not the folder that rank 0 made; give one that all machines share");
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  ranks.gather({}, context);
+}
+
+/// The environment, packed; all ranks read the same file.
+TileRunResult runPacked(const std::string& file, const TileCommandOptions& options, TileRunOptions bounds,
+                        std::optional<Pipeline> pipeline, RankGroup& ranks, CommandSession& session) {
+  const bool isPacked = file == options.environment.path;
+  const PackedEnvironment environment(file, isPacked ? options.environment.import() : ImportOptions{});
+  if (!options.quiet)
+    for (const Text& note : environment.head().notes) std::cerr << "footfall: note: " << note.str() << '\n';
+  bounds.roles = rolesOf(environment.head(), options.environment.rules(environment.head()));
+  if (std::ranges::all_of(bounds.roles, [](PartRole role) { return role == PartRole::Ignored; }))
+    throw InputError("--ignore: nothing of " + options.environment.path + " is left; ignore fewer meshes or materials");
+  if (!pipeline) pipeline = defaultPipeline(environment.head());
+  session.begin("running in cells", kTileRunSteps);
+  TileRunResult made = runIntoTiles(environment, *pipeline, options.folder, bounds, ranks, session.context());
+  session.end();
+  return made;
+}
+
 }  // namespace
 
-void runIntoFolder(const TileCommandOptions& options) {
+void runIntoFolder(const TileCommandOptions& options, RunProgram& program, CommandSession& session) {
   checkOptions(options);
   TileRunOptions bounds;
   bounds.memory = options.memory;
   bounds.slice = sliceFrom(options.slice);
   checkMemory(options.environment.path, options.memory);
-  std::optional<Pipeline> pipeline = checkedPipeline(options.pipeline, bounds.slice);
-  WriteTargets targets = targetsBeside(options.environment, options.pipeline);
-  checkEnding(options.statistics, "--stats", ".json");
-  checkOutside(options.statistics, options.folder);
-  targets.add(options.statistics, Pattern{"the statistics"});
-  TargetFolder folder(options.folder);
-  CommandSession session(options.threads, options.quiet);
-  const TileRunResult result = onThreads(options.threads, [&](int) {
-    const bool isPacked = lowerExtension(options.environment.path) == kPackedExtension;
-    const PackedCopy copy(options.folder);
-    if (!isPacked) packInto(copy, options, session);
-    const PackedEnvironment environment(isPacked ? options.environment.path : copy.path(),
-                                        isPacked ? options.environment.import() : ImportOptions{});
-    if (!options.quiet)
-      for (const Text& note : environment.head().notes) std::cerr << "footfall: note: " << note.str() << '\n';
-    bounds.roles = rolesOf(environment.head(), options.environment.rules(environment.head()));
-    if (std::ranges::all_of(bounds.roles, [](PartRole role) { return role == PartRole::Ignored; }))
-      throw InputError("--ignore: nothing of " + options.environment.path +
-                       " is left; ignore fewer meshes or materials");
-    if (!pipeline) pipeline = defaultPipeline(environment.head());
-    session.begin("running in cells", kTileRunSteps);
-    TileRunResult made = runIntoTiles(environment, *pipeline, options.folder, bounds, session.context());
-    session.end();
-    return made;
-  });
-  folder.keep();
+  const std::optional<Pipeline> pipeline = checkedPipeline(options.pipeline, bounds.slice);
+  OneRank alone;
+  RankGroup& ranks = program.group() != nullptr ? *program.group() : alone;
+  RunContext& context = session.context();
+  const auto inFolder = [&](const char* name) { return (fs::path(options.folder) / name).string(); };
+  // Rank 0 removes what is only there for the run, in this order from the last one on.
+  std::shared_ptr<TargetFolder> folder;
+  std::shared_ptr<FileOfRun> seen, copy;
+  const auto ofRun = [&](std::string path) {
+    const auto file = std::make_shared<FileOfRun>(std::move(path));
+    program.dropAtEnd(file);
+    return file;
+  };
+  if (ranks.isFirst()) program.dropAtEnd(folder = makeTarget(options));
+  if (ranks.size() > 1) {
+    if (ranks.isFirst()) seen = ofRun(inFolder(kSeenByRanks));
+    checkShared(inFolder(kSeenByRanks), options.folder, ranks, context);
+  }
+  const bool isPacked = lowerExtension(options.environment.path) == kPackedExtension;
+  const auto run = [&](int) {
+    if (isPacked) return runPacked(options.environment.path, options, bounds, pipeline, ranks, session);
+    const std::string packed = inFolder(kPackedForRun);
+    if (ranks.isFirst()) {
+      copy = ofRun(packed);
+      packInto(packed, options, session);
+    }
+    ranks.fromFirst({}, context);
+    return runPacked(packed, options, bounds, pipeline, ranks, session);
+  };
+  TileRunResult result;
+  try {
+    result = onThreads(options.threads, run);
+  } catch (const Cancelled&) {
+    // mpirun cancels the others when it loses a rank: the next run goes on from there.
+    if (ranks.isFirst() && ranks.size() > 1 && !ranks.hasFailed()) folder->keep();
+    throw;
+  }
+  if (!ranks.isFirst()) return;
+  folder->keep();
   if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result));
   if (options.quiet) return;
-  if (peakRssBytes() > options.memory)
+  if (peakOf(result) > options.memory)
     std::cerr << "footfall: note: the run held more than --memory: floors that many obstacles cut take more than they "
                  "usually do; give less\n";
   print(summaryOf(options, result));

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/command_options.hpp"
+#include "app/run_program.hpp"
 
 namespace footfall::app {
 
@@ -21,7 +22,7 @@ struct TileCommandOptions {
 };
 
 /// Packs the environment first where it is not packed. Throws InputError, RunError or Cancelled; then the folder is as
-/// it was.
-void runIntoFolder(const TileCommandOptions& options);
+/// it was. All ranks of the program's group do it together, rank 0 what one alone has to do.
+void runIntoFolder(const TileCommandOptions& options, RunProgram& program, CommandSession& session);
 
 }  // namespace footfall::app

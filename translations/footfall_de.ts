@@ -1743,6 +1743,14 @@
         <source>%1 sees over the borders of slices; leave it out, or run all slices at once</source>
         <translation>%1 sieht über die Grenzen von Teilen hinaus; lassen Sie ihn weg, oder rechnen Sie alle Teile auf einmal</translation>
     </message>
+    <message>
+        <source>%1: cannot be renamed: %2; look who else writes into the folder, and run it again</source>
+        <translation>%1: lässt sich nicht umbenennen: %2; sehen Sie nach, wer sonst in den Ordner schreibt, und rechnen Sie noch einmal</translation>
+    </message>
+    <message>
+        <source>%1: has a run that did not end, of another environment, other filters or another bound; remove the folder, or give a new name</source>
+        <translation>%1: enthält einen Lauf, der nicht zu Ende ging, mit einer anderen Umgebung, anderen Filtern oder einer anderen Grenze; entfernen Sie den Ordner, oder geben Sie einen neuen Namen an</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

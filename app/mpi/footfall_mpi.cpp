@@ -68,7 +68,7 @@ int main(int argc, char** argv) {
   app::MpiProgram program;
   int code = kDone;
   const auto fail = [&](ExitCode exitCode, const std::string& problem) {
-    if (program.fail(problem)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
+    if (program.fail(problem, exitCode == kWrongInput)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
     // mpirun ends with the code of whoever is first to have one.
     code = program.hasExitCode() ? exitCode : kDone;
   };
@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   } catch (const RunError& error) {
     fail(kRunFailed, error.what());
   } catch (const Cancelled&) {
-    fail(kRunFailed, program.failure().value_or("cancelled"));
+    fail(program.failedByInput() ? kWrongInput : kRunFailed, program.failure().value_or("cancelled"));
   } catch (const std::bad_alloc&) {
     fail(kRunFailed, "memory ran out; close other programs, use more machines or a smaller environment");
   } catch (const std::exception& error) {

@@ -44,7 +44,8 @@ void MpiProgram::addOptions(CLI::App& command) {
       .add_option("--work", workFolder_,
                   "Keep what is finished of cells in this folder, which all processes see, until the run ends well: a "
                   "run that was killed goes on from there, with any number of processes")
-      ->type_name("FOLDER");
+      ->type_name("FOLDER")
+      ->excludes(command.get_option("--memory"));
   command.add_flag("--progress", showsProgress_,
                    "Show a progress bar where standard error is no terminal, too, as for processes of mpirun");
 }
@@ -91,6 +92,7 @@ void MpiProgram::setContext(RunContext* context) {
 }
 
 std::optional<std::string> MpiProgram::failure() const { return exchange_ ? exchange_->failure() : std::nullopt; }
+bool MpiProgram::failedByInput() const { return exchange_ && exchange_->failedByInput(); }
 
 RunResult MpiProgram::run(CommandSession& session, const std::shared_ptr<const Environment>& environment,
                           const Pipeline& pipeline, const PipelineOptions& options, double loadMs) {
@@ -161,12 +163,19 @@ void MpiProgram::end() {
   RunContext none;
   RunContext* context = context_;
   exchange_->end(context != nullptr ? *context : none);
+  drop();
 }
 
-bool MpiProgram::fail(const std::string& problem) {
+// The last ones first.
+void MpiProgram::drop() {
+  while (!dropped_.empty()) dropped_.pop_back();
+}
+
+bool MpiProgram::fail(const std::string& problem, bool isInput) {
   if (!exchange_) return transport_ ? writes() : isFirstByName();
   const bool wasStopped = exchange_->wasStopped();
-  exchange_->fail(problem);
+  exchange_->fail(problem, isInput);
+  drop();
   // Rank 0 tells, unless it is busy where it cannot be stopped: then this rank ends all, and has to say why.
   return (writes() || exchange_->isCutOff()) && !wasStopped;
 }

@@ -20,7 +20,6 @@ class MpiProgram : public RunProgram {
   ~MpiProgram() override;
 
   void addOptions(CLI::App& command) override;
-  [[nodiscard]] bool hasBound() const override { return false; }
   void begin(int threads) override;
   /// In place of run(), for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
   /// end().
@@ -28,6 +27,8 @@ class MpiProgram : public RunProgram {
   [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
   void setContext(RunContext* context) override;
   [[nodiscard]] bool writes() const override { return transport_->rank() == 0; }
+  [[nodiscard]] detail::RankGroup* group() override { return exchange_.get(); }
+  void dropAtEnd(std::shared_ptr<void> thing) override { dropped_.push_back(std::move(thing)); }
   RunResult run(CommandSession& session, const std::shared_ptr<const Environment>& environment,
                 const Pipeline& pipeline, const PipelineOptions& options, double loadMs) override;
   std::string statistics(std::string json) override;
@@ -38,10 +39,13 @@ class MpiProgram : public RunProgram {
   /// Before MPI is there: whether this process is rank 0, by what started it. What is wrong with the options is told
   /// once.
   [[nodiscard]] static bool isFirstByName();
-  /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
-  bool fail(const std::string& problem);
+  /// The command failed: tells the other ranks. `isInput`: what was given is wrong. Returns whether this process has to
+  /// tell the user.
+  bool fail(const std::string& problem, bool isInput);
   /// Which rank failed, and why, where that is what ended the run.
   [[nodiscard]] std::optional<std::string> failure() const;
+  /// Whether it failed because what it was given is wrong.
+  [[nodiscard]] bool failedByInput() const;
   /// Whether the exit code of this process is the one that counts: that of rank 0, of a rank that rank 0 does not
   /// answer, or of any before there are ranks.
   [[nodiscard]] bool hasExitCode() const { return !transport_ || writes() || (exchange_ && exchange_->isCutOff()); }
@@ -51,6 +55,7 @@ class MpiProgram : public RunProgram {
 
  private:
   void tell(const Text& note) const;
+  void drop();
   [[nodiscard]] double overheadMs() const;
 
   const detail::Stopwatch total_;
@@ -62,6 +67,7 @@ class MpiProgram : public RunProgram {
   std::mutex contextMutex_;
   RunContext* context_ = nullptr;  ///< that of the run, as long as it lives
   std::atomic<bool> isStopped_{false};
+  std::vector<std::shared_ptr<void>> dropped_;
   std::vector<detail::RankStatistics> ranks_;
   double mergingMs_ = 0;
 };

@@ -18,12 +18,6 @@ using namespace std::chrono_literals;
 constexpr auto kBusyPause = 50us;
 constexpr auto kIdlePause = 1ms;
 
-Text differs() {
-  return Text(
-      FOOTFALL_TEXT("this rank works on something else than rank 0: another file of the environment, another "
-                    "pipeline or another version of the program; give all ranks the same"));
-}
-
 }  // namespace
 
 RankExchange::RankExchange(Transport& transport, Options options)
@@ -32,7 +26,8 @@ RankExchange::RankExchange(Transport& transport, Options options)
       size_(transport.size()),
       options_(std::move(options)),
       hellos_(static_cast<std::size_t>(size_)),
-      done_(static_cast<std::size_t>(size_)) {
+      done_(static_cast<std::size_t>(size_)),
+      group_(rank_, size_, [this](int to, std::string bytes) { post(to, static_cast<char>(Kind::Group) + bytes); }) {
   own_.threads = options_.threads;
   own_.startUpMs = options_.startUpMs;
   pump_ = std::thread([this] { pump(); });
@@ -59,7 +54,7 @@ void RankExchange::pump() {
       isBusy = sendOutgoing();
       isBusy = receiveAll() || isBusy;
     } catch (const std::exception& error) {
-      failHere(rank_, error.what());
+      failHere({rank_, error.what()});
     }
     const bool isIdle = transport_.isIdle();
     std::unique_lock lock(mutex_);
@@ -79,23 +74,34 @@ void RankExchange::pump() {
 }
 
 // Whoever works hears of it at once, not only where it waits for other ranks.
-void RankExchange::failHere(int rank, const std::string& problem) {
+void RankExchange::failHere(Failure failure) {
   {
     const std::lock_guard lock(mutex_);
-    if (!failure_) failure_.emplace(rank, problem);
+    if (!failure_) failure_ = std::move(failure);
   }
   options_.stop();
 }
 
+void RankExchange::throwAs(const Failure& failure) {
+  constexpr Pattern kProblem = FOOTFALL_TEXT("rank %1: %2");
+  if (failure.isInput) throw InputError(kProblem, failure.rank, failure.problem);
+  throw RunError(kProblem, failure.rank, failure.problem);
+}
+
 void RankExchange::throwFailure() const {
   const std::lock_guard lock(mutex_);
-  if (failure_) throw RunError(FOOTFALL_TEXT("rank %1: %2"), failure_->first, failure_->second);
+  if (failure_) throwAs(*failure_);
 }
 
 std::optional<std::string> RankExchange::failure() const {
   const std::lock_guard lock(mutex_);
   if (!failure_) return std::nullopt;
-  return Text(FOOTFALL_TEXT("rank %1: %2"), failure_->first, failure_->second).str();
+  return Text(FOOTFALL_TEXT("rank %1: %2"), failure_->rank, failure_->problem).str();
+}
+
+bool RankExchange::failedByInput() const {
+  const std::lock_guard lock(mutex_);
+  return failure_ && failure_->isInput;
 }
 
 bool RankExchange::sendOutgoing() {
@@ -115,7 +121,7 @@ bool RankExchange::receiveAll() {
     try {
       handle(*message);
     } catch (const BadBytes& error) {
-      failHere(message->from, std::string("what it sent ") + error.what());
+      failHere({message->from, std::string("what it sent ") + error.what()});
     }
   }
   if (any) changed_.notify_all();
@@ -127,13 +133,13 @@ void RankExchange::handle(const Transport::Message& message) {
   ByteReader in(message.bytes);
   switch (static_cast<Kind>(in.take(1)[0])) {
     case Kind::Hello: {
-      const Hello hello{static_cast<int>(in.number()), in.real()};
+      const Hello hello = readRankHello(in);
       const std::lock_guard lock(mutex_);
       hellos_[from] = hello;
       break;
     }
     case Kind::Plan: {
-      Plan plan = readPlan(in);
+      Plan plan = readRankPlan(in);
       const std::lock_guard lock(mutex_);
       plans_.push_back(std::move(plan));
       break;
@@ -145,19 +151,16 @@ void RankExchange::handle(const Transport::Message& message) {
       break;
     }
     case Kind::Done: {
-      RankStatistics done;
-      done.threads = static_cast<int>(in.number());
-      done.cells = in.number();
-      done.bytesSent = in.number();
-      for (double* ms : {&done.startUpMs, &done.readingMs, &done.runningMs, &done.waitingMs, &done.communicationMs})
-        *ms = in.real();
+      const RankStatistics done = readRankStatistics(in);
       const std::lock_guard lock(mutex_);
       done_[from] = done;
       break;
     }
-    case Kind::Failed:
-      failHere(message.from, std::string(in.rest()));
+    case Kind::Failed: {
+      const bool isInput = in.number() != 0;
+      failHere({message.from, std::string(in.rest()), isInput});
       break;
+    }
     case Kind::End: {
       const std::lock_guard lock(mutex_);
       isEnded_ = true;
@@ -174,6 +177,11 @@ void RankExchange::handle(const Transport::Message& message) {
     case Kind::Bye: {
       const std::lock_guard lock(mutex_);
       ++byes_;
+      break;
+    }
+    case Kind::Group: {
+      const std::lock_guard lock(mutex_);
+      group_.handle(message.from, in);
       break;
     }
     default:
@@ -194,7 +202,7 @@ void RankExchange::postToOthers(const std::string& bytes) {
 }
 
 void RankExchange::checkFailed() const {
-  if (failure_) throw RunError(FOOTFALL_TEXT("rank %1: %2"), failure_->first, failure_->second);
+  if (failure_) throwAs(*failure_);
   if (isStopped_) throw Cancelled();
 }
 
@@ -215,40 +223,15 @@ void RankExchange::greet(const CellPhase& phase) {
   }
   ByteWriter out;
   out.bytes.push_back(static_cast<char>(Kind::Hello));
-  out.number(static_cast<std::uint64_t>(hello.threads));
-  out.real(hello.beganMs);
+  write(hello, out);
   post(0, std::move(out.bytes));
 }
 
 void RankExchange::sendPlan(const Plan& plan) {
   ByteWriter out;
   out.bytes.push_back(static_cast<char>(Kind::Plan));
-  out.number(plan.phase);
-  out.number(plan.phases);
-  for (const std::uint64_t word : plan.key) out.fixed(word);
-  out.number(plan.ranks.size());
-  for (const Hello& rank : plan.ranks) {
-    out.number(static_cast<std::uint64_t>(rank.threads));
-    out.real(rank.beganMs);
-  }
-  out.number(plan.stored.size());
-  for (const Index cell : plan.stored) out.number(static_cast<std::uint64_t>(cell));
+  write(plan, out);
   postToOthers(out.bytes);
-}
-
-RankExchange::Plan RankExchange::readPlan(ByteReader& in) {
-  Plan plan;
-  plan.phase = in.number();
-  plan.phases = in.number();
-  for (std::uint64_t& word : plan.key) word = in.fixed();
-  plan.ranks.resize(in.count(9));
-  for (Hello& rank : plan.ranks) {
-    rank.threads = static_cast<int>(in.number());
-    rank.beganMs = in.real();
-  }
-  plan.stored.resize(in.count(1));
-  for (Index& cell : plan.stored) cell = in.below(std::int64_t{1} << 31);
-  return plan;
 }
 
 // Rank 0 says which cells are there already; all ranks find the same from that.
@@ -293,11 +276,14 @@ RankExchange::Plan RankExchange::awaitPlan(std::unique_lock<std::mutex>& lock, c
   Plan plan = std::move(plans_.front());
   plans_.pop_front();
   // A rank with more passes than rank 0 would wait for shares that nobody sends.
-  if (plan.phase != phase.number || plan.phases != phase.count || plan.key != phase.key) throw RunError(differs());
+  if (plan.phase != phase.number || plan.phases != phase.count || plan.key != phase.key)
+    throw RunError(differsFromFirst());
   return plan;
 }
 
-void RankExchange::throwDiffers(int rank) const { throw RunError(FOOTFALL_TEXT("rank %1: %2"), rank, differs().str()); }
+void RankExchange::throwDiffers(int rank) const {
+  throw RunError(FOOTFALL_TEXT("rank %1: %2"), rank, differsFromFirst().str());
+}
 
 std::vector<char> RankExchange::schedule(const Plan& plan) const {
   std::vector<char> isStored(phase_.costs.size(), 0);
@@ -406,11 +392,7 @@ std::vector<RankStatistics> RankExchange::collect(RunContext& context) {
   if (rank_ != 0) {
     ByteWriter out;
     out.bytes.push_back(static_cast<char>(Kind::Done));
-    out.number(static_cast<std::uint64_t>(own_.threads));
-    out.number(own_.cells);
-    out.number(own_.bytesSent);
-    for (const double ms : {own_.startUpMs, own_.readingMs, own_.runningMs, own_.waitingMs, own_.communicationMs})
-      out.real(ms);
+    write(own_, out);
     post(0, std::move(out.bytes));
     return {own_};
   }
@@ -425,6 +407,26 @@ std::vector<RankStatistics> RankExchange::collect(RunContext& context) {
   std::vector<RankStatistics> all;
   for (const auto& done : done_) all.push_back(*done);
   return all;
+}
+
+std::vector<std::string> RankExchange::gather(std::string own, RunContext& context) {
+  std::unique_lock lock(mutex_);
+  return group_.gather(std::move(own), [&](const auto& ready) { wait(lock, context, ready); });
+}
+
+std::string RankExchange::fromFirst(std::string own, RunContext& context) {
+  std::unique_lock lock(mutex_);
+  return group_.fromFirst(std::move(own), [&](const auto& ready) { wait(lock, context, ready); });
+}
+
+void RankExchange::beginTasks(std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  group_.beginTasks(count);
+}
+
+std::optional<std::size_t> RankExchange::nextTask(RunContext& context) {
+  std::unique_lock lock(mutex_);
+  return group_.nextTask([&](const auto& ready) { wait(lock, context, ready); });
 }
 
 void RankExchange::end(RunContext& context) {
@@ -443,14 +445,14 @@ void RankExchange::end(RunContext& context) {
   close();
 }
 
-void RankExchange::fail(const std::string& problem) noexcept {
+void RankExchange::fail(const std::string& problem, bool isInput) noexcept {
   try {
     const std::lock_guard lock(mutex_);
     if (!isEnded_ && !isClosing_) {
       if (rank_ == 0)
         postToOthers(std::string(1, static_cast<char>(Kind::Stop)));
       else if (!isStopped_)
-        post(0, static_cast<char>(Kind::Failed) + problem);
+        post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(isInput)} + problem);
     }
   } catch (const std::exception&) {
     // Without memory for a message the others hear of it when this rank says nothing more.

@@ -16,6 +16,9 @@
 
 #include "core/base/process_usage.hpp"
 #include "core/distributed/cell_exchange.hpp"
+#include "core/distributed/group_mail.hpp"
+#include "core/distributed/rank_group.hpp"
+#include "core/distributed/rank_messages.hpp"
 #include "core/distributed/work_folder.hpp"
 #include "footfall/text.hpp"
 
@@ -39,20 +42,8 @@ class Transport {
   virtual bool isIdle() = 0;
 };
 
-/// What one rank did, in milliseconds of wall time.
-struct RankStatistics {
-  int threads = 1;
-  std::uint64_t cells = 0;      ///< that it ran
-  std::uint64_t bytesSent = 0;  ///< shares, to all other ranks
-  double startUpMs = 0;         ///< before anything was read
-  double readingMs = 0;
-  double runningMs = 0;        ///< of its cells
-  double waitingMs = 0;        ///< for others: before cells are divided, and for shares when its own cells are done
-  double communicationMs = 0;  ///< in which messages were sent or received, while cells ran or not
-};
-
 /// One object for one run. Its thread sends and receives; Transport is used by that thread only.
-class RankExchange : public CellExchange {
+class RankExchange : public CellExchange, public RankGroup {
  public:
   struct Options {
     int threads = 1;         ///< of this rank
@@ -86,34 +77,40 @@ class RankExchange : public CellExchange {
   void throwFailure() const override;
   [[nodiscard]] int threads() const override;
 
+  [[nodiscard]] int rank() const override { return rank_; }
+  [[nodiscard]] int size() const override { return size_; }
+  [[nodiscard]] bool hasFailed() const override { return failure().has_value(); }
+  std::vector<std::string> gather(std::string own, RunContext& context) override;
+  std::string fromFirst(std::string own, RunContext& context) override;
+  void beginTasks(std::size_t count) override;
+  std::optional<std::size_t> nextTask(RunContext& context) override;
+
   /// What all ranks did, by rank. Rank 0 waits for them; others have their own only, and tell rank 0.
   std::vector<RankStatistics> collect(RunContext& context);
   /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits until rank 0 says so. Throws
   /// RunError or Cancelled.
   void end(RunContext& context);
-  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled.
-  void fail(const std::string& problem) noexcept;
+  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled. `isInput`: what was
+  /// given is wrong.
+  void fail(const std::string& problem, bool isInput = false) noexcept;
   /// True when another rank ended the run, which then has nothing to tell.
   [[nodiscard]] bool wasStopped() const;
   /// Which rank failed first, and why; none while none has.
   [[nodiscard]] std::optional<std::string> failure() const;
+  /// Whether it failed because what it was given is wrong.
+  [[nodiscard]] bool failedByInput() const;
   /// Behind end() or fail(): another rank did not answer any more.
   [[nodiscard]] bool isCutOff() const;
 
  private:
-  enum class Kind : char { Hello, Plan, Share, Done, Failed, End, Stop, Bye };
-  /// What a rank says before the first cells are divided.
-  struct Hello {
-    int threads = 1;
-    double beganMs = 0;  ///< by the system's clock
+  enum class Kind : char { Hello, Plan, Share, Done, Failed, End, Stop, Bye, Group };
+  using Hello = RankHello;
+  using Plan = RankPlan;
+  struct Failure {
+    int rank = 0;
+    std::string problem;
+    bool isInput = false;
   };
-  struct Plan {
-    std::uint64_t phase = 0, phases = 0;  ///< CellPhase::number and count
-    Digest::Value key{};
-    std::vector<Hello> ranks;
-    std::vector<Index> stored;
-  };
-
   struct Incoming {
     int from = -1;  ///< -1: the folder
     ShareName name;
@@ -130,13 +127,13 @@ class RankExchange : public CellExchange {
   /// Waits until `ready` holds; throws what ended the run meanwhile. `lock` holds mutex_.
   void wait(std::unique_lock<std::mutex>& lock, RunContext& context, const std::function<bool()>& ready);
   void checkFailed() const;
-  void failHere(int rank, const std::string& problem);
+  void failHere(Failure failure);
+  [[noreturn]] static void throwAs(const Failure& failure);
   [[noreturn]] void throwDiffers(int rank) const;
   void greet(const CellPhase& phase);
   Plan makePlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
   void sendPlan(const Plan& plan);
   void sayRanks(const Plan& plan) const;
-  static Plan readPlan(ByteReader& in);
   Plan awaitPlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase, RunContext& context);
   [[nodiscard]] std::vector<char> schedule(const Plan& plan) const;
 
@@ -159,7 +156,8 @@ class RankExchange : public CellExchange {
   std::deque<Plan> plans_;
   std::deque<Incoming> shares_;
   std::vector<std::optional<RankStatistics>> done_;
-  std::optional<std::pair<int, std::string>> failure_;
+  std::optional<Failure> failure_;
+  GroupMail group_;
   bool hasPlanned_ = false;
   std::size_t byes_ = 0;  ///< other ranks that say nothing more
   bool isEnded_ = false, isStopped_ = false, isClosing_ = false, isCutOff_ = false, folderFails_ = false;

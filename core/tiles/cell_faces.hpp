@@ -83,6 +83,12 @@ class CellCollector {
   CellCollector(const PackedEnvironment& environment, FloorRule rule);
 
   [[nodiscard]] std::uint64_t faceCount() const { return first_.back(); }
+  [[nodiscard]] bool hasRoles() const { return !rule_.roles.empty(); }
+  [[nodiscard]] PartRole roleOf(std::uint32_t part) const {
+    return rule_.roles.empty() ? PartRole::Floor : rule_.roles[part];
+  }
+  /// Whether a face may be a floor when floors are first joined.
+  [[nodiscard]] bool isFloor(const BlockFace& face) const;
 
   /// Whether a cell may be as large as that; to be asked while it is collected.
   using Fits = std::function<bool(const CellSize&)>;
@@ -95,10 +101,6 @@ class CellCollector {
 
  private:
   struct Floors;
-  [[nodiscard]] PartRole roleOf(std::uint32_t part) const {
-    return rule_.roles.empty() ? PartRole::Floor : rule_.roles[part];
-  }
-  [[nodiscard]] bool isFloor(const BlockFace& face) const;
   [[nodiscard]] bool isOwn(const OwnFloors& own, const BlockFace& face) const;
   [[nodiscard]] std::vector<std::size_t> ownBlocks(const OwnFloors& own) const;
   [[nodiscard]] Floors findFloors(const OwnFloors& own, const Fits& fits, RunContext& context, int reach) const;

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
+#include "core/base/byte_stream.hpp"
 #include "core/tiles/tile.hpp"
 
 namespace footfall::detail {
@@ -29,6 +31,17 @@ class DroppedTriangles {
   }
   [[nodiscard]] bool contains(std::uint32_t source, std::uint32_t place) const {
     return std::binary_search(keys_.begin(), keys_.end(), keyOf(source, place));
+  }
+  /// Sorted ones as bytes, and back. Reading throws BadBytes.
+  void write(ByteWriter& out) const {
+    out.number(keys_.size());
+    std::uint64_t before = 0;
+    for (const std::uint64_t key : keys_) out.number(key - std::exchange(before, key));
+  }
+  void read(ByteReader& in) {
+    keys_.resize(in.count(1));
+    std::uint64_t before = 0;
+    for (std::uint64_t& key : keys_) before = key = before + in.number();
   }
   [[nodiscard]] std::uint64_t bytes() const { return keys_.size() * sizeof(std::uint64_t); }
 

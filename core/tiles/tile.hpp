@@ -28,6 +28,10 @@ struct TileFace {
   bool operator==(const TileFace&) const = default;
 };
 
+/// The order of SourceMesh::triangles: its vertices are in the order of their coordinates. Of triangles of the
+/// environment the same ones alone are equal.
+bool comesBefore(const TileFace& a, const TileFace& b);
+
 /// A vertex that triangles or links of other tiles have, too. Its name is its place, `face` and `exact`.
 struct TileBorder {
   Index vertex = -1;

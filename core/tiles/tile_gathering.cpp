@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <tuple>
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
@@ -14,9 +13,6 @@
 
 namespace footfall::detail {
 namespace {
-
-using Place = std::tuple<double, double, double>;
-Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 
 /// Adds to a list that has one entry for each of so many triangles, or none.
 template <class Entry>
@@ -28,13 +24,6 @@ void append(std::vector<Entry>& all, const std::vector<Entry>& added, std::size_
 }
 
 }  // namespace
-
-// The order of SourceMesh::triangles: its vertices are in the order of their coordinates.
-bool TileGathering::comesBefore(const AddedFace& a, const AddedFace& b) {
-  for (std::size_t k = 0; k < 3; ++k)
-    if (const Place p = placeOf(a.face.corners[k]), q = placeOf(b.face.corners[k]); p != q) return p < q;
-  return a.face.source < b.face.source;
-}
 
 void TileGathering::add(const Tile& tile, const Poll& poll) {
   constexpr auto kMost = static_cast<std::size_t>(std::numeric_limits<Index>::max()) / 3;
@@ -131,7 +120,8 @@ TileGathering::Whole TileGathering::take(RunContext& context) {
   if (!heights_.empty()) heights_.resize(places_.size());
   for (const std::uint32_t layer : layers_)
     if (layer >= layers_.size()) throw BadBytes("is damaged");
-  tbb::parallel_sort(faces_.begin(), faces_.end(), comesBefore);
+  tbb::parallel_sort(faces_.begin(), faces_.end(),
+                     [](const AddedFace& a, const AddedFace& b) { return comesBefore(a.face, b.face); });
   context.checkCancelled();
   Whole whole;
   whole.mesh.triangles.reserve(triangles_.size());
@@ -140,8 +130,8 @@ TileGathering::Whole TileGathering::take(RunContext& context) {
   std::size_t polled = 0;
   for (auto first = faces_.begin(); first != faces_.end();) {
     if (++polled % 4096 == 0) context.checkCancelled();
-    const auto last =
-        std::find_if(first + 1, faces_.end(), [&first](const AddedFace& other) { return !isSame(*first, other); });
+    const auto last = std::find_if(first + 1, faces_.end(),
+                                   [&first](const AddedFace& other) { return comesBefore(first->face, other.face); });
     ofFace.clear();
     for (auto face = first; face != last; ++face)
       for (std::size_t i = 0; i < face->face.triangles; ++i) ofFace.push_back(face->firstTriangle + i);

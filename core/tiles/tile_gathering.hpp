@@ -35,8 +35,6 @@ class TileGathering {
     std::size_t firstTriangle = 0;
   };
 
-  static bool comesBefore(const AddedFace& a, const AddedFace& b);
-  static bool isSame(const AddedFace& a, const AddedFace& b) { return !comesBefore(a, b) && !comesBefore(b, a); }
   std::vector<Index> numberVertices(const Tile& tile, const Poll& poll);
   void addLinks(const Tile& tile, std::vector<Index>& numbers, const Poll& poll);
   void addTriangle(std::size_t added, Whole& whole);

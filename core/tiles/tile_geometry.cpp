@@ -2,6 +2,7 @@
 #include "core/tiles/tile_geometry.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace footfall::detail {
@@ -127,6 +128,13 @@ class TileCopy {
 };
 
 }  // namespace
+
+bool comesBefore(const TileFace& a, const TileFace& b) {
+  const auto placeOf = [](const Vec3& v) { return std::tuple(v.x, v.y, v.z); };
+  for (std::size_t k = 0; k < 3; ++k)
+    if (const auto p = placeOf(a.corners[k]), q = placeOf(b.corners[k]); p != q) return p < q;
+  return a.source < b.source;
+}
 
 TileGeometry geometryOf(const PlanKernel& kernel, std::vector<MeshVertex> vertices,
                         const std::vector<std::uint32_t>& numbers) {

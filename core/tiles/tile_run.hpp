@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
+#include "core/distributed/rank_group.hpp"
 #include "core/io/packed/packed_environment.hpp"
+#include "core/tiles/cell_outcome.hpp"
 #include "core/tiles/cell_tile.hpp"
 #include "core/tiles/tile_set.hpp"
 #include "core/tiles/tile_store.hpp"
@@ -24,35 +27,43 @@ struct TileRunOptions {
   std::vector<PartRole> roles{};    ///< of Environment::parts (rolesOf()); empty: all are floors
 };
 
+/// What one rank did.
+struct TileRankStatistics {
+  CellCounts counts;
+  std::uint64_t bytesRead = 0;  ///< of the packed environment
+  std::uint64_t peakBytes = 0;  ///< of the process
+  double wallMs = 0, cpuMs = 0;
+};
+
 struct TileRunResult {
   TileSet set;
-  std::uint64_t cells = 0;        ///< that ran, also those of which nothing is walkable
-  std::uint64_t largestCell = 0;  ///< triangles that were in memory at once
-  std::uint64_t collected = 0;    ///< triangles of all cells together: neighbours have some in common
-  std::uint64_t refused = 0;      ///< cells that were made smaller because they would not have fitted
+  CellCounts counts;                      ///< of all ranks
+  std::vector<TileRankStatistics> ranks;  ///< by rank
   double wallMs = 0, cpuMs = 0;
 };
 
 /// Throws InputError where a step needs all slices.
 void checkSlice(const CellSteps& steps, const TileSlice& slice);
 
-/// Throws InputError where so much memory is too little for any environment; `source` is its file.
-void checkMemory(const std::string& source, std::uint64_t memory);
-
 /// Runs the pipeline cell by cell, and adds a tile for each that has triangles. As runIntoTiles() else; the set of the
 /// result has no tiles.
 TileRunResult runCells(const PackedEnvironment& environment, const Pipeline& pipeline, const TileRunOptions& options,
-                       TileStore& store, RunContext& context);
+                       TileStore& store, RankGroup& ranks, RunContext& context);
 
-/// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there and empty, then the
-/// index. Cells follow the order of the packed environment's blocks, and are as large as the memory lets them be by
-/// what is known before they run; so the same environment, pipeline and options give the same bytes, whatever the
-/// threads.
+/// Runs the pipeline cell by cell and writes a tile for each into `folder`, which must be there, and empty unless a
+/// run of the same did not end there, then the index. Cells follow the order of the packed environment's blocks, and
+/// are as large as the memory lets them be by what is known before they run; so the same environment, pipeline and
+/// options give the same bytes, whatever the threads and however many ranks.
+///
+/// All ranks call it, with the same environment, pipeline and options and a folder that all of them see. They share the
+/// cells; what comes behind them is done by rank 0, whose result is the whole one. That of others has statistics only.
 ///
 /// Throws InputError where a filter cannot keep to a bound of memory or see over slices, and where the bound is too
-/// little, with what it must be; RunError as writeFileSafely() does, and Cancelled. Then what
-/// was written is removed.
+/// little, with what it must be; RunError as writeFileSafely() does and where ranks were given different things, and
+/// Cancelled. Then what was written is removed; with several ranks it stays for removeUnfinished(), or for a run that
+/// goes on from there, with any number of ranks: so does the folder of a run that was killed. What was found there when
+/// the run began stays, too.
 TileRunResult runIntoTiles(const PackedEnvironment& environment, const Pipeline& pipeline, const std::string& folder,
-                           const TileRunOptions& options, RunContext& context);
+                           const TileRunOptions& options, RankGroup& ranks, RunContext& context);
 
 }  // namespace footfall::detail

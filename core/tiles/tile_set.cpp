@@ -100,9 +100,13 @@ TileSet setOf(const std::string& text) {
 
 }  // namespace
 
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context) {
+std::string tileFileName(std::size_t number) {
+  return "tile-" + padded(number, 10, 7) + '.' + std::string(kTileExtension);
+}
+
+TileEntry writeTile(const std::string& folder, const std::string& file, const Tile& tile, const RunContext& context) {
   TileEntry entry;
-  entry.file = "tile-" + padded(number, 10, 7) + '.' + std::string(kTileExtension);
+  entry.file = file;
   entry.faces = tile.faces.size();
   entry.triangles = tile.triangles.size();
   entry.vertices = tile.places.size();

@@ -43,8 +43,11 @@ struct TileSet {
   std::vector<TileEntry> tiles;
 };
 
-/// Writes a tile under the name of its number, from 1 on. Throws what writeFilesSafely() throws, and Cancelled.
-TileEntry writeTile(const std::string& folder, std::size_t number, const Tile& tile, const RunContext& context);
+/// The name of a tile by its number, from 1 on.
+std::string tileFileName(std::size_t number);
+
+/// Writes a tile as a file of the folder. Throws what writeFilesSafely() throws, and Cancelled.
+TileEntry writeTile(const std::string& folder, const std::string& file, const Tile& tile, const RunContext& context);
 
 /// JSON. The same set gives the same text.
 std::string formatTileIndex(const TileSet& set);

@@ -91,6 +91,7 @@ class TileSimplification {
   struct GroupPart {
     std::uint64_t triangles = 0;
   };
+  using PartTriangle = std::pair<Index, Index>;  ///< a triangle of a tile, and its part
   /// A part of a group has a triangle of another tile beside it, which is a part of the same group there.
   struct Beside {
     Index part = -1;
@@ -98,10 +99,18 @@ class TileSimplification {
     Index triangle = -1;
   };
 
-  [[nodiscard]] TileUnion unionOf(std::vector<TileUnion::Part> parts) const {
+  // What is known of groups and links, beside the triangles.
+  [[nodiscard]] std::uint64_t bytesKnown() const {
+    return groupParts_.size() * sizeof(GroupPart) + partTriangles_ * sizeof(PartTriangle) +
+           beside_.size() * sizeof(Beside) + links_.size() * sizeof(NamedLink);
+  }
+  void addPart(TileUnion::Part part, std::vector<TileUnion::Part>& parts) const {
+    parts.push_back(std::move(part));
     std::uint64_t count = 0;
-    for (const TileUnion::Part& part : parts) count += part.triangles.triangles.size();
-    stage_.require(count * kOfUnionTriangle);
+    for (const TileUnion::Part& each : parts) count += each.triangles.triangles.size();
+    stage_.require(count * kOfUnionTriangle + bytesKnown());
+  }
+  [[nodiscard]] TileUnion unionOf(std::vector<TileUnion::Part> parts) const {
     return {std::move(parts), stage_.grid, context_};
   }
 
@@ -115,16 +124,26 @@ class TileSimplification {
       std::vector<Index> numbers(tile.places.size());
       std::iota(numbers.begin(), numbers.end(), 0);
       std::vector<char> isLinked = linkedOf(tile, numbers, numbers.size());
-      parts.push_back({i, std::move(tile), {}, {}, std::move(isLinked)});
+      addPart({i, std::move(tile), {}, {}, std::move(isLinked)}, parts);
     }
     for (std::size_t j = 0; j < given_.size(); ++j) {
       if (j == i || !touch(given_[i].box, given_[j].box)) continue;
       const Tile tile = stage_.store.read(given_[j].number);
-      parts.push_back(partOf(j, tile, trianglesAround(tile, {}, names), {}));
+      addPart(partOf(j, tile, trianglesAround(tile, {}, names), {}), parts);
     }
     const TileUnion made = unionOf(std::move(parts));
     const SimplifierMemory memory = simplified(made, context_);
     keepWithin(i, made, memory);
+  }
+
+  // Which vertices other tiles know as well: those of triangles that are not its own, and ends of links.
+  [[nodiscard]] static std::vector<char> namedOf(const TileUnion& made) {
+    std::vector<char> isNamed(made.mesh().vertices.size(), 0);
+    for (Index t = 0; t < static_cast<Index>(made.mesh().triangles.size()); ++t)
+      if (!made.isOwn(t))
+        for (const Index v : made.mesh().triangles[t].corners) isNamed[v] = 1;
+    for (const MeshLink& link : made.mesh().links) isNamed[link.from[0]] = 1;
+    return isNamed;
   }
 
   // Stores what is done with, and takes down what is not.
@@ -134,7 +153,7 @@ class TileSimplification {
     for (Index t = 0; t < count; ++t)
       if (!made.isOwn(t) && memory.groupOf[t] >= 0) isOver[memory.groupOf[t]] = 1;
     std::vector<Changed> kept;
-    std::vector<char> isNamed(made.mesh().vertices.size(), 0);
+    std::vector<char> isNamed = namedOf(made);
     std::map<Index, Index> partOfGroup;
     for (Index t = 0; t < count; ++t) {
       if (!made.isOwn(t)) continue;
@@ -150,10 +169,10 @@ class TileSimplification {
       partsOf_[i].emplace_back(made.numberInTile(t), part->second);
     }
     std::sort(partsOf_[i].begin(), partsOf_[i].end());
+    partTriangles_ += partsOf_[i].size();
     for (Index t = 0; t < count; ++t)
       if (const auto part = partOfGroup.find(memory.groupOf[t]); !made.isOwn(t) && part != partOfGroup.end())
         beside_.push_back({part->second, made.partOf(t).tile, made.numberInTile(t)});
-    for (const MeshLink& link : made.mesh().links) isNamed[link.from[0]] = 1;
     collectLinks(made);
     addWithLinks(made.tileOf(kept, isNamed));
   }
@@ -203,13 +222,14 @@ class TileSimplification {
     std::vector<std::uint64_t> sizes(groupOf.size(), 0);
     for (std::size_t p = 0; p < groupOf.size(); ++p) sizes[groupOf[p]] += groupParts_[p].triangles;
     // With as much around them.
-    const std::uint64_t most = stage_.memory / kOfUnionTriangle / 2;
+    stage_.require(bytesKnown());
+    const std::uint64_t most = (stage_.memory - bytesKnown()) / kOfUnionTriangle / 2;
     std::vector<Index> batchOf(groupOf.size(), -1);
     Index batches = 0;
     std::uint64_t size = most;
     for (std::size_t g = 0; g < sizes.size(); ++g) {
       if (sizes[g] == 0) continue;
-      stage_.require(2 * sizes[g] * kOfUnionTriangle);
+      stage_.require(2 * sizes[g] * kOfUnionTriangle + bytesKnown());
       if (size + sizes[g] > most) {
         size = 0;
         ++batches;
@@ -253,14 +273,14 @@ class TileSimplification {
       if (std::none_of(boxes.begin(), boxes.end(), [&](const Box& box) { return touch(box, given_[i].box); })) continue;
       const Tile tile = stage_.store.read(given_[i].number);
       const std::vector<char> chosen = chosenOf(i, batchOf, batch);
-      parts.push_back(partOf(i, tile, trianglesAround(tile, chosen, names), chosen));
+      addPart(partOf(i, tile, trianglesAround(tile, chosen, names), chosen), parts);
     }
     const TileUnion made = unionOf(std::move(parts));
     const SimplifierMemory memory = simplified(made, context_);
     std::vector<Changed> kept;
     for (Index t = 0; t < static_cast<Index>(made.mesh().triangles.size()); ++t)
       if (made.isOwn(t) && memory.alive[t] != 0) kept.push_back({t, memory.triangles[t]});
-    addWithLinks(made.tileOf(kept, std::vector<char>(made.mesh().vertices.size(), 1)));
+    addWithLinks(made.tileOf(kept, namedOf(made)));
   }
 
   /// A link with the names of its ends.
@@ -273,7 +293,8 @@ class TileSimplification {
   RunContext& context_;
   std::vector<StoredTile> given_;
   std::vector<GroupPart> groupParts_;
-  std::vector<std::vector<std::pair<Index, Index>>> partsOf_;  ///< for each tile triangles with their parts; ascending
+  std::vector<std::vector<PartTriangle>> partsOf_;  ///< for each tile; ascending
+  std::uint64_t partTriangles_ = 0;                 ///< in all of these
   std::vector<Beside> beside_;
   std::vector<NamedLink> links_;  ///< that no tile has yet
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "core/tiles/tile.hpp"
 
@@ -20,6 +21,25 @@ class TileStore {
   virtual Tile read(std::size_t number) = 0;
   /// By one that has less of it, or nothing.
   virtual void replace(std::size_t number, const Tile& tile) = 0;
+
+  /// Writes a tile that has no number yet, under a name that no other has. Returns what take() is to be given, by this
+  /// process or by another one that has the same store; never empty.
+  virtual std::string write(const std::string& name, const Tile& tile) = 0;
+  /// Makes a written tile the one of that number; that of the first one behind all others adds it.
+  virtual void take(std::size_t number, const std::string& written) = 0;
+
+  // Where a store outlives a run that is killed, the next one finds what became of cells.
+
+  /// Rank 0, before all others: whether there is something of an earlier run of the same, which `what` tells from all
+  /// others. Throws InputError where there is something else.
+  virtual bool begin(const std::string& /*what*/) { return false; }
+  /// All ranks: there is. What is there stays when this run fails.
+  virtual void goOn() {}
+  virtual void keepCell(const std::string& /*name*/, const std::string& /*bytes*/) {}
+  /// Empty where there is none.
+  virtual std::string keptCell(const std::string& /*name*/) { return {}; }
+  /// Whether a tile of an earlier run is whole.
+  virtual bool has(const std::string& /*written*/) { return false; }
 };
 
 }  // namespace footfall::detail

@@ -13,18 +13,9 @@
 namespace footfall::detail {
 namespace {
 
-/// A triangle of the environment; in the order of SourceMesh::triangles.
-using Source = std::tuple<std::array<std::array<double, 3>, 3>, std::uint32_t>;
-
-std::array<double, 3> placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-Source sourceOf(const TileFace& face) {
-  return {{placeOf(face.corners[0]), placeOf(face.corners[1]), placeOf(face.corners[2])}, face.source};
-}
-
-Source sourceOf(const TileSource& triangle, const std::vector<Vec3>& corners) {
-  const auto at = [&](std::size_t k) { return placeOf(corners[triangle.corners[k]]); };
-  return {{at(0), at(1), at(2)}, triangle.number};
+TileFace sourceFaceOf(const TileSource& triangle, const std::vector<Vec3>& corners) {
+  const auto at = [&](std::size_t k) { return corners[triangle.corners[k]]; };
+  return {triangle.number, 0, {at(0), at(1), at(2)}};
 }
 
 }  // namespace
@@ -36,22 +27,24 @@ TileUnion::TileUnion(std::vector<Part> parts, const Grid& grid, RunContext& cont
 
 // All triangles of the environment that the parts name, each once. They are sorted as the mesh sorts them.
 void TileUnion::makeKernel(const Grid& grid, RunContext& context) {
-  std::vector<Source> all;
+  std::vector<TileFace> all;
   for (const Part& part : parts_) {
-    for (const TileFace& face : part.triangles.faces) all.push_back(sourceOf(face));
+    all.insert(all.end(), part.triangles.faces.begin(), part.triangles.faces.end());
     const TileGeometry& geometry = part.triangles.geometry;
-    for (const TileSource& triangle : geometry.triangles) all.push_back(sourceOf(triangle, geometry.corners));
+    for (const TileSource& triangle : geometry.triangles) all.push_back(sourceFaceOf(triangle, geometry.corners));
   }
-  sortOnce(all);
+  std::sort(all.begin(), all.end(), comesBefore);
+  const auto isSame = [](const TileFace& a, const TileFace& b) { return !comesBefore(a, b); };  // of sorted ones
+  all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
   context.checkCancelled();
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
   std::vector<std::uint32_t> numbers;
-  for (const auto& [corners, number] : all) {
+  for (const TileFace& face : all) {
     const auto first = static_cast<std::uint32_t>(vertices.size());
-    for (const auto& [x, y, z] : corners) vertices.push_back({x, y, z});
+    vertices.insert(vertices.end(), face.corners.begin(), face.corners.end());
     triangles.push_back({first, first + 1, first + 2});
-    numbers.push_back(number);
+    numbers.push_back(face.source);
   }
   std::vector<std::size_t> firstCorner;
   std::vector<double> heights;
@@ -65,16 +58,16 @@ void TileUnion::makeKernel(const Grid& grid, RunContext& context) {
   soup.grid = grid;
   const auto mesh = std::make_shared<const SourceMesh>(makeSourceMesh(soup, false, nullptr, context));
   kernel_ = std::make_shared<const PlanKernel>(mesh, std::move(heights));
-  const auto idOf = [&all](const Source& source) {
-    return static_cast<Index>(std::lower_bound(all.begin(), all.end(), source) - all.begin());
+  const auto idOf = [&all](const TileFace& face) {
+    return static_cast<Index>(std::lower_bound(all.begin(), all.end(), face, comesBefore) - all.begin());
   };
   for (std::size_t p = 0; p < parts_.size(); ++p) {
     const Tile& tile = parts_[p].triangles;
     auto& faces = faces_.emplace_back();
-    for (const TileFace& face : tile.faces) faces.push_back(idOf(sourceOf(face)));
+    for (const TileFace& face : tile.faces) faces.push_back(idOf(face));
     auto& sources = sources_.emplace_back();
     for (const TileSource& triangle : tile.geometry.triangles)
-      sources.push_back(idOf(sourceOf(triangle, tile.geometry.corners)));
+      sources.push_back(idOf(sourceFaceOf(triangle, tile.geometry.corners)));
     auto& corners = corners_.emplace_back();
     for (std::size_t c = 0; c < tile.geometry.corners.size(); ++c) corners.push_back(mesh->welded[firstCorner[p] + c]);
   }

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/pipeline/runner.hpp"
+#include "footfall/errors.hpp"
 
 namespace footfall::test {
 using namespace detail;
@@ -92,6 +93,41 @@ RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, co
   outcome.hasResult.assign(hasResult.begin(), hasResult.end());
   outcome.isCutOff.assign(isCutOff.begin(), isCutOff.end());
   return outcome;
+}
+
+std::vector<std::string> runAsGroup(int ranks, const std::function<void(RankGroup&, RunContext&)>& body,
+                                    const std::function<void(int rank, const RunEvent&)>& event) {
+  const auto count = static_cast<std::size_t>(ranks);
+  Mail mail;
+  mail.boxes.resize(count);
+  std::vector<std::string> errors(count);
+  const auto runRank = [&](int rank) {
+    MailTransport transport(mail, rank);
+    RunContext context([&](const RunEvent& told) {
+      if (event) event(rank, told);
+    });
+    RankExchange::Options options;
+    options.stop = [&context] { context.cancel(); };
+    RankExchange exchange(transport, std::move(options));
+    std::string& error = errors[static_cast<std::size_t>(rank)];
+    try {
+      body(exchange, context);
+      exchange.end(context);
+    } catch (const Cancelled&) {
+      error = exchange.failure().value_or("cancelled");
+      exchange.fail(error);
+    } catch (const InputError& problem) {
+      error = problem.what();
+      exchange.fail(error, true);
+    } catch (const std::exception& problem) {
+      error = problem.what();
+      exchange.fail(error);
+    }
+  };
+  std::vector<std::thread> threads;
+  for (int rank = 0; rank < ranks; ++rank) threads.emplace_back(runRank, rank);
+  for (std::thread& thread : threads) thread.join();
+  return errors;
 }
 
 }  // namespace footfall::test

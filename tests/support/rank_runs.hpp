@@ -41,4 +41,9 @@ struct RankOutcome {
 RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                        const RankOptions& options);
 
+/// Calls `body` on ranks of one group, each in a thread of its own. `event` (may be empty) is called with what their
+/// runs tell, and may throw, which fails the rank. Returns for each rank what it failed by; empty where it did not.
+std::vector<std::string> runAsGroup(int ranks, const std::function<void(detail::RankGroup&, RunContext&)>& body,
+                                    const std::function<void(int rank, const RunEvent&)>& event = {});
+
 }  // namespace footfall::test

@@ -5,8 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <iterator>
+#include <list>
 #include <mutex>
 #include <string_view>
+#include <unordered_map>
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
@@ -161,30 +164,51 @@ class PackedEnvironment::RecentBlocks {
   /// Null: it is not here.
   Bytes find(std::size_t block) {
     const std::lock_guard lock(mutex_);
-    const auto found = std::find_if(kept_.begin(), kept_.end(), [&](const auto& kept) { return kept.first == block; });
-    return found == kept_.end() ? nullptr : found->second;
+    const auto found = places_.find(block);
+    if (found == places_.end()) return nullptr;
+    kept_.splice(kept_.end(), kept_, found->second);
+    return found->second->bytes;
   }
-  void keep(std::size_t block, const Bytes& bytes) {
+  void keep(std::size_t block, const Bytes& bytes, std::uint64_t size) {
     const std::lock_guard lock(mutex_);
-    if (kept_.size() < kMost) {
-      kept_.emplace_back(block, bytes);
-    } else {
-      kept_[next_] = {block, bytes};
-    }
-    next_ = (next_ + 1) % kMost;
+    if (places_.contains(block)) return;
+    kept_.push_back({block, size, bytes});
+    places_[block] = std::prev(kept_.end());
+    held_ += size;
+    release();
+  }
+  void limit(std::uint64_t most) {
+    const std::lock_guard lock(mutex_);
+    most_ = most;
+    release();
   }
   void clear() {
     const std::lock_guard lock(mutex_);
     kept_.clear();
-    next_ = 0;
+    places_.clear();
+    held_ = 0;
   }
 
  private:
-  static constexpr std::size_t kMost = 8;  // 4 MB
+  struct Kept {
+    std::size_t block = 0;
+    std::uint64_t size = 0;
+    Bytes bytes;
+  };
+
+  // The last one stays.
+  void release() {
+    while (held_ > most_ && kept_.size() > 1) {
+      held_ -= kept_.front().size;
+      places_.erase(kept_.front().block);
+      kept_.pop_front();
+    }
+  }
 
   std::mutex mutex_;
-  std::vector<std::pair<std::size_t, Bytes>> kept_;
-  std::size_t next_ = 0;
+  std::list<Kept> kept_;  ///< the one that was wanted last is the last one
+  std::unordered_map<std::size_t, std::list<Kept>::iterator> places_;
+  std::uint64_t held_ = 0, most_ = kKeptBlocks;
 };
 
 PackedEnvironment::PackedEnvironment(const std::string& path, const ImportOptions& options)
@@ -202,6 +226,7 @@ void PackedEnvironment::failDamaged() const { failInput(path_, 0, FOOTFALL_TEXT(
 void PackedEnvironment::read(std::uint64_t offset, char* bytes, std::size_t size) const {
   if (file_.read(offset, bytes, size) != size)
     failInput(path_, 0, FOOTFALL_TEXT("it was cut off while it was open"), kPackAgain);
+  bytesRead_.fetch_add(size, std::memory_order_relaxed);
 }
 
 std::string PackedEnvironment::bytesAt(std::uint64_t offset, std::uint64_t size) const {
@@ -361,7 +386,7 @@ BlockArrays PackedEnvironment::readBlock(std::size_t number) const {
 BlockArrays PackedEnvironment::block(std::size_t number) const {
   if (const Bytes known = recent_->find(number)) return arraysOf(blocks_[number], known);
   BlockArrays arrays = readBlock(number);
-  recent_->keep(number, arrays.owner);
+  recent_->keep(number, arrays.owner, blocks_[number].size);
   return arrays;
 }
 
@@ -388,6 +413,7 @@ PackedFaces PackedEnvironment::facesTouching(const Box& box, RunContext* context
       blocksTouching(box), [&](const BlockFace& face) { return touch(detail::boxOf(face), box); }, context);
 }
 
+void PackedEnvironment::keepBlocks(std::uint64_t bytes) const { recent_->limit(bytes); }
 void PackedEnvironment::forgetBlocks() const { recent_->clear(); }
 
 std::vector<PackedEnvironment::Copy> PackedEnvironment::fill(std::size_t number, Environment& environment,

@@ -46,6 +46,9 @@ struct BlockFace {
 /// The box around the corners.
 Box boxOf(const BlockFace& face);
 
+/// Bytes of blocks that are kept.
+inline constexpr std::uint64_t kKeptBlocks = std::uint64_t{4} << 20;
+
 /// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) whenever
 /// they are read: a file that is cut off or written over in place while it is open is told as damaged.
 ///
@@ -68,6 +71,8 @@ class PackedEnvironment {
   [[nodiscard]] const CheckSum& tableSum() const { return header_.tableSum; }
   /// Where a block lies, Z up.
   [[nodiscard]] Box boxOf(std::size_t block) const;
+  /// How many bytes of the file were read so far.
+  [[nodiscard]] std::uint64_t bytesRead() const { return bytesRead_.load(std::memory_order_relaxed); }
   /// How many blocks have been touched.
   [[nodiscard]] std::size_t touchedBlocks() const;
   /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; as many as
@@ -83,6 +88,8 @@ class PackedEnvironment {
   [[nodiscard]] PackedFaces facesOf(std::span<const std::size_t> blocks,
                                     const std::function<bool(const BlockFace&)>& isWanted,
                                     RunContext* context = nullptr) const;
+  /// So many bytes of the blocks that were read last are kept from now on, at first kKeptBlocks.
+  void keepBlocks(std::uint64_t bytes) const;
   /// Gives the memory of all blocks back; they are read again when they are needed.
   void forgetBlocks() const;
   /// The faces whose own boxes touch this one (Z up, closed). Touches blocksTouching() alone.
@@ -119,6 +126,7 @@ class PackedEnvironment {
   std::vector<PackedBlock> blocks_;
   PackedCoarse coarse_;
   std::unique_ptr<std::atomic<bool>[]> isTouched_;  ///< for each block
+  mutable std::atomic<std::uint64_t> bytesRead_{0};
 };
 
 /// What importing does with a packed environment.

@@ -1,0 +1,88 @@
+// Cells of one run, each within the bound of memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/io/packed/packed_environment.hpp"
+#include "core/tiles/cell_outcome.hpp"
+#include "core/tiles/cell_plan.hpp"
+#include "core/tiles/cell_tile.hpp"
+#include "core/tiles/tile_regions.hpp"
+#include "footfall/run_context.hpp"
+
+namespace footfall::detail {
+
+/// Throws InputError where so much memory is too little for any environment; `source` is its file.
+void checkMemory(const std::string& source, std::uint64_t memory);
+
+/// Runs cells one by one. What becomes of a cell depends on nothing that ran before it.
+class CellRunner {
+ public:
+  /// `roles` as TileRunOptions::roles. Throws InputError where the memory is too little for the environment's table.
+  CellRunner(const PackedEnvironment& environment, const CellSteps& steps, const std::vector<PartRole>& roles,
+             std::uint64_t memory, RunContext& context);
+
+  [[nodiscard]] const CellCollector& collector() const { return collector_; }
+  /// Those of the run; empty where all parts are floors.
+  [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
+  /// How much a cell may take, where with all that it sees it takes `seen` times what its own faces do.
+  [[nodiscard]] CellLimits limits(std::uint64_t mostFaces, double seen) const;
+  /// What a cell takes while it runs, with all that it sees; it is not held.
+  [[nodiscard]] std::uint64_t measure(const FaceRange& range) const;
+
+  /// To be set before the first cell runs.
+  void setGrid(const Grid& grid) { grid_ = grid; }
+  /// Whether cells have their steps now; and what is dropped before these.
+  void link(DroppedTriangles dropped);
+  /// So many bytes are in memory beside each cell.
+  void charge(std::uint64_t bytes) { fixed_ += bytes; }
+  /// For triangles at once.
+  [[nodiscard]] std::uint64_t free() const { return memory_ - fixed_; }
+
+  using Visit = std::function<void(const FaceRange& range, MadeTile& made)>;
+  /// Visits what is left of a cell: in pieces, in their order, where it does not fit.
+  void run(const FaceRange& range, const Visit& visit);
+  /// Throws InputError where a cell with so many floors can never fit.
+  void requireFloors(std::uint64_t count) const;
+  /// The cell of what gaps change.
+  MadeTile runListed(const FloorsAtGaps& atGaps);
+  /// Runs a cell that ran before, to inspect it exactly.
+  void runAgain(const OwnFloors& own, const RegionSums::Inspect& inspect);
+
+  [[nodiscard]] const CellCounts& counts() const { return counts_; }
+  /// Throws InputError: so many bytes besides those that are charged are needed.
+  [[noreturn]] void failTooLittle(std::uint64_t bytes) const;
+
+ private:
+  /// Whether tiles are to keep what filters over their borders need to know.
+  [[nodiscard]] bool isExact() const { return !steps_.global.empty(); }
+  [[nodiscard]] std::uint64_t needed(const CellSize& size) const;
+  std::optional<MadeTile> make(const OwnFloors& own, const CellCollector::Fits& fits,
+                               const RegionSums::Inspect& inspect = {});
+  std::optional<MadeTile> tryMake(const OwnFloors& own, const CellCollector::Fits& fits,
+                                  const RegionSums::Inspect& inspect, bool& fit);
+  std::optional<MadeTile> makeWithin(const FaceRange& range);
+  [[nodiscard]] CellCollector::Fits withinMemory() const;
+  [[noreturn]] void failTooLittle(const OwnFloors& own) const;
+
+  const PackedEnvironment& environment_;
+  const CellSteps& steps_;
+  std::uint64_t memory_;
+  RunContext& context_;
+  std::vector<PartRole> roles_;
+  CellCollector collector_;
+  std::uint64_t fixed_ = 0;
+  std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
+  Grid grid_;
+  int reach_ = kUsualReach;  ///< of the last cell
+  bool isLinked_ = false;    ///< cells have their steps now
+  DroppedTriangles dropped_;
+  CellCounts counts_;
+};
+
+}  // namespace footfall::detail
