@@ -189,7 +189,7 @@ reference::Rational uncoveredFromDefinition(const Soup& a, const Soup& b, const 
     std::vector<reference::Polygon> pieces = {polygon};
     for (const Corners& other : b.triangles()) {
       const auto shadow = reference::planTriangle(pointsOf(other));
-      if (shadow.empty()) continue;
+      if (!reference::mayTouch(polygon, shadow)) continue;
       const auto over = reference::planeThrough(pointsOf(other));
       const reference::Linear above{over->a - plane->a, over->b - plane->b, over->c - plane->c};
       const auto near = reference::clip(reference::clip(shadow, {-above.a, -above.b, height - above.c}),

@@ -69,7 +69,7 @@ struct Expected {
 
 bool contains(const reference::Polygon& polygon, const Point2& place) {
   for (std::size_t k = 0; k < polygon.size(); ++k)
-    if (twiceArea(polygon[k], polygon[(k + 1) % polygon.size()], place) < 0) return false;
+    if (turn(polygon[k], polygon[(k + 1) % polygon.size()], place) < 0) return false;
   return !polygon.empty();
 }
 
@@ -108,8 +108,8 @@ std::optional<Expected> expect(const Environment& environment, const Limits& lim
         y < std::min({a.y, b.y, c.y}) - slack || y > std::max({a.y, b.y, c.y}) + slack)
       continue;
     const auto exact = reference::cornersOf(environment, t);
+    if (!contains(reference::planTriangle(exact), place)) continue;
     const auto other = reference::planeThrough(exact);
-    if (!other || !contains(reference::planTriangle(exact), place)) continue;
     const Rational height = other->at(place) - plane.at(place);
     if (*other == plane) {
       if (const auto up = reference::upwardCorners(environment, t)) facesUp = true, floor = up;
@@ -158,7 +158,7 @@ bool isGeneric(const Environment& environment, std::uint32_t triangle, const Vec
       const double size = (std::fabs(b.x - a.x) + std::fabs(b.y - a.y)) *
                           (std::fabs(place.x) + std::fabs(place.y) + std::fabs(a.x) + std::fabs(a.y));
       if (std::fabs(side) > 1e-12 * size) continue;
-      if (twiceArea(Point2{a.x, a.y}, Point2{b.x, b.y}, p) == 0 && !(a.x == b.x && a.y == b.y)) return false;
+      if (!(a.x == b.x && a.y == b.y) && turn(Point2{a.x, a.y}, Point2{b.x, b.y}, p) == 0) return false;
     }
   return true;
 }
