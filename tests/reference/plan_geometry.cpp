@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "tests/support/exact_turn.hpp"
+
 namespace footfall::reference {
 namespace {
 
@@ -60,7 +62,7 @@ Rational twiceArea(const Point2& a, const Point2& b, const Point2& c) {
 
 int turn(const Point2& a, const Point2& b, const Point2& c) {
   if (const auto sign = certainTurn(a, b, c)) return *sign;
-  return sgn(twiceArea(a, b, c));
+  return test::exactTurn(a.x, a.y, b.x, b.y, c.x, c.y);
 }
 
 Linear leftOf(const Point2& from, const Point2& to) {

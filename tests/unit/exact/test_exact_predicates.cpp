@@ -11,6 +11,7 @@
 
 #include "core/exact/face_geometry.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "tests/support/exact_turn.hpp"
 #include "tests/support/soup_generators.hpp"
 
 using namespace footfall;
@@ -20,6 +21,11 @@ namespace {
 
 using Random = std::mt19937_64;
 using Rational3 = std::array<mpq_class, 3>;
+
+int turnOf(const Rational3& a, const Rational3& b, const Rational3& c) {
+  return test::exactTurn(a[0], a[1], b[0], b[1], c[0], c[1]);
+}
+int compare(const mpq_class& a, const mpq_class& b) { return (a > b ? 1 : 0) - (a < b ? 1 : 0); }
 
 int integer(Random& random, int low, int high) { return std::uniform_int_distribution<int>(low, high)(random); }
 
@@ -453,12 +459,12 @@ class TestExactPredicates : public QObject {
       };
       const std::size_t a = pick(), b = pick(), c = pick();
       const PlanPoint &p = geometry[points[a]], &q = geometry[points[b]], &r = geometry[points[c]];
-      const int turn = sgn(orientation(places[a], places[b], places[c]));
+      const int turn = turnOf(places[a], places[b], places[c]);
       QCOMPARE(geometry.orientation(points[a], points[b], points[c]), turn);
       QCOMPARE(kernel.orientation(p, q, r, geometry.origin(), count), turn);
       QVERIFY(turn == 0 || !kernel.areKnownCollinear(p, q, r));
       for (const int axis : {0, 1}) {
-        const int order = sgn(places[a][axis] - places[b][axis]);
+        const int order = compare(places[a][axis], places[b][axis]);
         QCOMPARE(geometry.compare(points[a], points[b], axis), order);
         QCOMPARE(kernel.compare(p, q, axis, geometry.origin(), count), order);
       }
@@ -480,7 +486,7 @@ class TestExactPredicates : public QObject {
       const auto vertex = [&] { return integer(random, 0, static_cast<int>(mesh.vertices.size()) - 1); };
       const Index u = vertex(), v = vertex(), w = vertex();
       QCOMPARE(kernel.orientation(u, v, w, count),
-               sgn(orientation(reference.vertex(u), reference.vertex(v), reference.vertex(w))));
+               turnOf(reference.vertex(u), reference.vertex(v), reference.vertex(w)));
       const Rational3 place = reference.vertex(u);
       for (const Index level : {-1, 0, 1})
         QCOMPARE(kernel.heightSign(face, u, level, count),
@@ -490,7 +496,7 @@ class TestExactPredicates : public QObject {
       const auto& f = mesh.triangles[face];
       const Rational3 a = reference.vertex(f[k]), b = reference.vertex(f[(k + 1) % 3]);
       for (std::size_t i = 0; i < points.size(); ++i)
-        QCOMPARE(geometry.sideOfEdge(k, points[i]), sgn(orientation(a, b, places[i])));
+        QCOMPARE(geometry.sideOfEdge(k, points[i]), turnOf(a, b, places[i]));
     }
   }
 
