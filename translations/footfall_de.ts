@@ -6109,6 +6109,14 @@ Grundriss %2, Höhe %3
         <source>Coarse; in full: %1 of %2 blocks, %3 of %4 million triangles</source>
         <translation>Grob; vollständig: %1 von %2 Blöcken, %3 von %4 Millionen Dreiecken</translation>
     </message>
+    <message>
+        <source>Only the part in the frame is known.</source>
+        <translation>Bekannt ist nur der Teil im Rahmen.</translation>
+    </message>
+    <message>
+        <source>A file is being read; until that is done, the part stays where it is.</source>
+        <translation>Eine Datei wird gelesen; bis das fertig ist, bleibt der Teil, wo er ist.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ParameterHandles</name>

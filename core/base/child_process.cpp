@@ -22,7 +22,6 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kPollMs = 20;
-constexpr double kGraceMs = 5000;
 constexpr double kKilledMs = 2000;
 constexpr std::size_t kMostErrors = 64 * 1024;
 
@@ -97,7 +96,7 @@ class Outputs {
 /// A process that does not outlive this, and nor do those that it has started: they are a group.
 class Child {
  public:
-  Child(Outputs& outputs, ChildEnding ending) : outputs_(outputs), ending_(ending) {}
+  Child(Outputs& outputs, ChildEnding ending, double graceMs) : outputs_(outputs), ending_(ending), graceMs_(graceMs) {}
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
@@ -129,7 +128,7 @@ class Child {
     if (id_ < 0) return;
     if (ending_ == ChildEnding::Asked) {
       ::kill(-id_, SIGTERM);
-      if (isGoneWithin(kGraceMs)) return;
+      if (isGoneWithin(graceMs_)) return;
     }
     ::kill(-id_, SIGKILL);
     isGoneWithin(kKilledMs);
@@ -164,16 +163,17 @@ class Child {
 
   Outputs& outputs_;
   ChildEnding ending_;
+  double graceMs_;
   pid_t id_ = -1;  ///< and that of its group
   bool isReaped_ = false;
 };
 
 }  // namespace
 
-ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending) {
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending, double graceMs) {
   ChildResult result;
   Outputs outputs(result);
-  Child child(outputs, ending);
+  Child child(outputs, ending, graceMs);
   if (const int error = child.start(arguments); error != 0) {
     result.status = 127;
     result.errors = std::strerror(error);

@@ -18,12 +18,14 @@ struct ChildResult {
 /// How a program ends that is not waited for any more.
 enum class ChildEnding {
   Killed,  ///< at once
-  Asked    ///< it is asked to end, and killed when it has not done so within five seconds
+  Asked    ///< it is asked to end, and killed when it has not done so in time
 };
+constexpr double kChildGraceMs = 5000;  ///< the time for that
 
 /// Runs `arguments[0]`, looked for in PATH, with the others and without input, and waits for its end. `poll` is called
 /// at least every 20 ms; what it throws ends the program first, as `ending` says, and those that it has started and
 /// that stayed in its group of processes. Throws RunError when the system gives no pipe or no process.
-ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending = ChildEnding::Killed);
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending = ChildEnding::Killed,
+                     double graceMs = kChildGraceMs);
 
 }  // namespace footfall::detail

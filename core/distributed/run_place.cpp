@@ -25,9 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kOurs = "footfall-mpi: ";
-// Of Slurm's programs, when a job is cancelled: for each of them, in all, and between two looks into the queue.
-constexpr double kAskMs = 3000, kEndMs = 10000;
-constexpr std::chrono::milliseconds kEndPause{200};
+constexpr std::chrono::milliseconds kEndPause{200};  // between two looks into Slurm's queue
 constexpr int kNoProgram = 127, kTookTooLong = 124;
 
 bool isProgram(const fs::path& path) {
@@ -106,15 +104,15 @@ ChildResult runWithin(double ms, const std::vector<std::string>& command) {
 }
 
 void cancelJob(const std::string& job, const RunPrograms& programs) {
-  runWithin(kAskMs, {programs.scancel, "--name", nameOf(job)});
+  runWithin(programs.answerMs, {programs.scancel, "--name", nameOf(job)});
 }
 
 // An sbatch that was ended may have submitted the job, which then comes into the queue a little later.
 void endJob(const std::string& job, const RunPrograms& programs) {
-  for (const Stopwatch watch; watch.wallMs() < kEndMs;) {
+  for (const Stopwatch watch; watch.wallMs() < programs.endMs;) {
     cancelJob(job, programs);
     std::this_thread::sleep_for(kEndPause);
-    const ChildResult queue = runWithin(kAskMs, {programs.squeue, "--noheader", "--name", nameOf(job)});
+    const ChildResult queue = runWithin(programs.answerMs, {programs.squeue, "--noheader", "--name", nameOf(job)});
     if (queue.status == kNoProgram) return;
     if (queue.status == 0 && queue.output.find_first_not_of(" \n") == std::string::npos) return;
   }

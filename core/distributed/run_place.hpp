@@ -33,6 +33,8 @@ struct RunPlace {
 struct RunPrograms {
   std::string footfallMpi = "footfall-mpi", mpirun = "mpirun", sbatch = "sbatch", scancel = "scancel",
               squeue = "squeue";
+  /// Of Slurm's, when a job is cancelled: how long each of them may take, and all together.
+  double answerMs = 3000, endMs = 10000;
 };
 /// `folder`: that of the program that asks, where footfall-mpi is looked for first. FOOTFALL_MPI and FOOTFALL_MPIRUN in
 /// the environment come before both.
@@ -43,7 +45,7 @@ Text problemOf(const RunPlace& place, const RunPrograms& programs);
 
 /// Starts the processes of a job (writeJob()) and waits for them. `threads` of each, 0: all that it may have. Returns
 /// what went wrong, by their own words where they have any. `poll` may throw, which ends them; of Slurm, waits for up
-/// to ten seconds until its queue does not have the job any more, whose name there is that of the folder.
+/// to `endMs` until its queue does not have the job any more, whose name there is that of the folder.
 Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& programs, int threads, Poll poll);
 
 /// The command line of runJob().

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <set>
 
 namespace footfall::reference {
 namespace {
@@ -56,7 +55,7 @@ Place BorderDistance::corner(std::uint32_t triangle, int k) const {
 
 int BorderDistance::cell(double value, int axis) const {
   const double share = (value - lower_[axis]) / std::max(upper_[axis] - lower_[axis], 1e-300);
-  return static_cast<int>(std::clamp(share * kCells, 0.0, kCells - 1.0));
+  return static_cast<int>(std::clamp(share * cells_, 0.0, cells_ - 1.0));
 }
 
 void BorderDistance::makeGrid() {
@@ -67,13 +66,16 @@ void BorderDistance::makeGrid() {
       lower_[k] = std::min(lower_[k], k == 0 ? v.x : v.y);
       upper_[k] = std::max(upper_[k], k == 0 ? v.x : v.y);
     }
-  trianglesIn_.resize(kCells * kCells);
-  bordersIn_.resize(kCells * kCells);
+  constexpr double kMostCells = 128;
+  cells_ = static_cast<int>(std::clamp(2 * std::sqrt(mesh_.triangles.size()), 1.0, kMostCells));
+  trianglesIn_.resize(cells_ * cells_);
+  bordersIn_.resize(cells_ * cells_);
   const auto add = [&](auto& cells, std::uint32_t id, std::initializer_list<Place> places) {
     const auto [x0, x1] = std::minmax({(*places.begin())[0], (*(places.end() - 1))[0], (*(places.begin() + 1))[0]});
     const auto [y0, y1] = std::minmax({(*places.begin())[1], (*(places.end() - 1))[1], (*(places.begin() + 1))[1]});
-    for (int i = cell(x0, 0); i <= cell(x1, 0); ++i)
-      for (int j = cell(y0, 1); j <= cell(y1, 1); ++j) cells[i * kCells + j].push_back(id);
+    const int lastX = cell(x1, 0), firstY = cell(y0, 1), lastY = cell(y1, 1);
+    for (int i = cell(x0, 0); i <= lastX; ++i)
+      for (int j = firstY; j <= lastY; ++j) cells[i * cells_ + j].push_back(id);
   };
   for (auto* cells : {&trianglesIn_, &bordersIn_})
     for (auto& cell : *cells) cell.clear();
@@ -116,7 +118,7 @@ bool BorderDistance::isWide(std::uint32_t triangle) const {
 std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, double most) const {
   std::optional<std::uint32_t> found;
   if (mesh_.triangles.empty()) return found;
-  for (const std::uint32_t t : trianglesIn_[cell(x, 0) * kCells + cell(y, 1)]) {
+  for (const std::uint32_t t : trianglesIn_[cell(x, 0) * cells_ + cell(y, 1)]) {
     bool isInside = isWide(t);
     for (int k = 0; k < 3; ++k) {
       const Place a = corner(t, k), b = corner(t, k + 1);
@@ -184,10 +186,13 @@ void BorderDistance::divide(const Environment& environment, double step, double 
 
 template <class Counts>
 BorderDistance::Distance BorderDistance::leastOf(const SurfacePlace& from, double most, const Counts& counts) const {
-  std::set<std::uint32_t> near;
-  for (int i = cell(from.x - most, 0); i <= cell(from.x + most, 0); ++i)
-    for (int j = cell(from.y - most, 1); j <= cell(from.y + most, 1); ++j)
-      near.insert(bordersIn_[i * kCells + j].begin(), bordersIn_[i * kCells + j].end());
+  std::vector<std::uint32_t> near;
+  const int lastX = cell(from.x + most, 0), firstY = cell(from.y - most, 1), lastY = cell(from.y + most, 1);
+  for (int i = cell(from.x - most, 0); i <= lastX; ++i)
+    for (int j = firstY; j <= lastY; ++j)
+      near.insert(near.end(), bordersIn_[i * cells_ + j].begin(), bordersIn_[i * cells_ + j].end());
+  std::sort(near.begin(), near.end());
+  near.erase(std::unique(near.begin(), near.end()), near.end());
   Distance distance;
   auto& [least, isDoubtful] = distance;
   for (const std::uint32_t i : near) {

@@ -76,7 +76,7 @@ class BorderDistance {
   const NavigationMesh& mesh_;
   std::vector<std::array<std::vector<std::uint32_t>, 3>> beyond_;  ///< triangles
   std::vector<Border> borders_;
-  static constexpr int kCells = 128;
+  int cells_ = 1;  ///< of the grid, along either axis
   std::array<double, 2> lower_{}, upper_{};
   std::vector<std::vector<std::uint32_t>> trianglesIn_, bordersIn_;  ///< of a grid over the plan
 };

@@ -34,9 +34,8 @@ const Region* regionOf(const WalkableArea& area, std::uint32_t source) {
 
 bool contains(const Polygon& outer, const Polygon& inner) {
   for (std::size_t k = 0; k < outer.size(); ++k) {
-    const Linear inside = leftOf(outer[k], outer[(k + 1) % outer.size()]);
     for (const Point2& p : inner)
-      if (inside.at(p) < 0) return false;
+      if (turn(outer[k], outer[(k + 1) % outer.size()], p) < 0) return false;
   }
   return true;
 }
@@ -102,7 +101,7 @@ std::string findSetDifference(const Environment& environment, const WalkableArea
                               const std::vector<Piece>& pieces) {
   std::map<const Region*, std::vector<const Piece*>> byRegion;
   for (const Piece& piece : pieces) {
-    if (twiceArea(piece.plan[0], piece.plan[1], piece.plan[2]) <= 0) return "does not face up: " + toText(piece);
+    if (turn(piece.plan[0], piece.plan[1], piece.plan[2]) <= 0) return "does not face up: " + toText(piece);
     const Region* region = regionOf(area, piece.source);
     if (region == nullptr) return "its source is no floor: " + toText(piece);
     if (!(planeOf(piece) == region->plane)) return "not in the plane of its source: " + toText(piece);
@@ -134,10 +133,12 @@ std::string findConformityError(const std::vector<Piece>& pieces) {
         pieces[uses[0].piece].obstacleEdge[uses[0].edge] != pieces[uses[1].piece].obstacleEdge[uses[1].edge])
       return "obstacle edge on one side only: " + where;
   }
+  std::vector<PlanBox> boxes;
+  for (const Piece& piece : pieces) boxes.push_back(boxOf(piece.plan));
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       const Piece &p = pieces[i], &q = pieces[j];
-      if (!mayTouch(p.plan, q.plan)) continue;
+      if (!mayTouch(boxes[i], boxes[j])) continue;
       for (std::size_t k = 0; k < 3; ++k) {
         for (std::size_t l = 0; l < 3; ++l) {
           const Segment2 edge = planEdge(p, k), other = planEdge(q, l);

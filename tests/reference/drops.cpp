@@ -26,11 +26,12 @@ bool coversBeside(const std::array<Point3, 3>& t, const Point2& place, const Poi
 /// Something lies over a place moved by nearly nothing in a direction, strictly between two heights.
 bool isBlockedBeside(const Environment& environment, const Point2& place, const Point2& direction, const Rational& low,
                      const Rational& high) {
+  const PlanBox box = boxOf(Polygon{place});
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+    if (isBeside(environment, t, box)) continue;
     const auto corners = cornersOf(environment, t);
-    const auto plane = planeThrough(corners);
-    if (isDegenerate(corners) || !plane || !coversBeside(corners, place, direction)) continue;
-    const Rational z = plane->at(place);
+    if (isOutOf(corners, low, high) || !coversBeside(corners, place, direction)) continue;
+    const Rational z = planeThrough(corners)->at(place);
     if (z > low && z < high) return true;
   }
   return false;
@@ -57,9 +58,11 @@ bool isBlockedOver(const Environment& environment, const Point2& from, const Poi
   const Linear left = leftOf(from, to), right{-left.a, -left.b, -left.c};
   const Rational dx = to.x - from.x, dy = to.y - from.y;
   const Linear behind{dx, dy, -(dx * from.x + dy * from.y)}, before{-dx, -dy, dx * to.x + dy * to.y};
+  const PlanBox box = boxOf(Segment2{from, to});
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+    if (isBeside(environment, t, box)) continue;
     const auto corners = cornersOf(environment, t);
-    if (isDegenerate(corners)) continue;
+    if (isOutOf(corners, low, high) || isDegenerate(corners)) continue;
     std::vector<Point3> part(corners.begin(), corners.end());
     for (const Linear& keep : {left, right, behind, before}) part = clipped(part, keep);
     if (part.empty()) continue;

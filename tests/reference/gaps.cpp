@@ -38,15 +38,17 @@ bool canStepOver(const Environment& environment, const BorderEdge3& a, const Bor
                  const Point3& q, const Rational& step, const Rational& clearance, const Rational& gap) {
   const Rational dx = q.x - p.x, dy = q.y - p.y, square = dx * dx + dy * dy;
   if (square == 0 || square > gap * gap || abs(p.z - q.z) > step) return false;
-  if (twiceArea(planOf(a.from), planOf(a.to), planOf(q)) >= 0) return false;
-  if (twiceArea(planOf(b.from), planOf(b.to), planOf(p)) >= 0) return false;
+  if (turn(planOf(a.from), planOf(a.to), planOf(q)) >= 0) return false;
+  if (turn(planOf(b.from), planOf(b.to), planOf(p)) >= 0) return false;
   const Rational low = std::min(p.z, q.z) + step, high = std::max(p.z, q.z) + clearance;
   const Linear along{dx, dy, -(dx * p.x + dy * p.y)};           // 0 at p, `square` at q
   const Linear before{-dx, -dy, square + dx * p.x + dy * p.y};  // 0 at q
   const Linear across = leftOf(planOf(p), planOf(q));
+  const PlanBox box = boxOf(Segment2{planOf(p), planOf(q)});
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+    if (isBeside(environment, t, box)) continue;
     const auto corners = cornersOf(environment, t);
-    if (isDegenerate(corners)) continue;
+    if (isOutOf(corners, low, high) || isDegenerate(corners)) continue;
     Corners polygon(corners.begin(), corners.end());
     for (const Linear& keep : {across, negated(across), along, before}) polygon = clipped(polygon, keep);
     if (polygon.empty()) continue;

@@ -2,13 +2,67 @@
 #include "tests/reference/plan_geometry.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/support/exact_turn.hpp"
 
 namespace footfall::reference {
+namespace {
+
+/// What a double says of a rational: both ends of what it may be.
+struct Bounds {
+  double lower = 0, upper = 0;
+};
+
+/// GMP rounds towards zero, and has its own ways with what no double can hold.
+Bounds boundsOf(const Rational& value) {
+  constexpr double kTiny = 0x1p-200, kHuge = 0x1p200, kInfinite = std::numeric_limits<double>::infinity();
+  const double near = value.get_d();
+  const double size = std::fabs(near);
+  if (sgn(value) == 0) return {0, 0};
+  if (!(size < kHuge)) return {-kInfinite, kInfinite};
+  const double beyond = size < kTiny ? kTiny : size * (1 + 0x1p-51);
+  return near < 0 || (near == 0 && sgn(value) < 0) ? Bounds{-beyond, near} : Bounds{near, beyond};
+}
+
+/// A value and how far off it may be, after a handful of operations on numbers that a double has nearly.
+struct Nearly {
+  double value = 0, size = 0;
+};
+constexpr double kOff = 0x1p-47;  // of `size`: each operand is off by 2^-52, each operation by 2^-53, and there are few
+
+Nearly difference(const Rational& a, const Rational& b) {
+  const double p = a.get_d(), q = b.get_d();
+  return {p - q, std::fabs(p) + std::fabs(q)};
+}
+
+bool isOrdinary(double size) { return size == 0 || (size > 0x1p-200 && size < 0x1p200); }
+
+/// The sign of the double product, where it is certain; else nothing.
+std::optional<int> certainTurn(const Point2& a, const Point2& b, const Point2& c) {
+  const Nearly ux = difference(b.x, a.x), uy = difference(b.y, a.y);
+  const Nearly vx = difference(c.x, a.x), vy = difference(c.y, a.y);
+  for (const Nearly& n : {ux, uy, vx, vy})
+    if (!isOrdinary(n.size)) return std::nullopt;
+  const double value = ux.value * vy.value - uy.value * vx.value;
+  const double most = kOff * (ux.size * vy.size + uy.size * vx.size);
+  if (value > most) return 1;
+  if (value < -most) return -1;
+  return std::nullopt;
+}
+
+}  // namespace
 
 Point3 toPoint(const Vec3& v) { return {Rational(v.x), Rational(v.y), Rational(v.z)}; }
 
 Rational twiceArea(const Point2& a, const Point2& b, const Point2& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+int turn(const Point2& a, const Point2& b, const Point2& c) {
+  if (const auto sign = certainTurn(a, b, c)) return *sign;
+  return test::exactTurn(a.x, a.y, b.x, b.y, c.x, c.y);
 }
 
 Linear leftOf(const Point2& from, const Point2& to) {
@@ -32,7 +86,7 @@ Polygon cleaned(const Polygon& corners) {
     changed = false;
     for (std::size_t i = 0; i < result.size() && !changed; ++i) {
       const std::size_t n = result.size();
-      if (twiceArea(result[i], result[(i + 1) % n], result[(i + 2) % n]) == 0) {
+      if (turn(result[i], result[(i + 1) % n], result[(i + 2) % n]) == 0) {
         result.erase(result.begin() + static_cast<std::ptrdiff_t>((i + 1) % n));
         changed = true;
       }
@@ -44,7 +98,7 @@ Polygon cleaned(const Polygon& corners) {
 
 Polygon planTriangle(const std::array<Point3, 3>& corners) {
   Polygon result{planOf(corners[0]), planOf(corners[1]), planOf(corners[2])};
-  if (twiceArea(result[0], result[1], result[2]) < 0) std::swap(result[1], result[2]);
+  if (turn(result[0], result[1], result[2]) < 0) std::swap(result[1], result[2]);
   return cleaned(result);
 }
 
@@ -68,7 +122,29 @@ Polygon clip(const Polygon& polygon, const Linear& keep) {
   return cleaned(result);
 }
 
+PlanBox boxOf(const Polygon& polygon) {
+  constexpr double kMost = std::numeric_limits<double>::max();
+  PlanBox box{{kMost, kMost}, {-kMost, -kMost}};
+  for (const Point2& p : polygon) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Bounds bounds = boundsOf(axis == 0 ? p.x : p.y);
+      box.lower[axis] = std::min(box.lower[axis], bounds.lower);
+      box.upper[axis] = std::max(box.upper[axis], bounds.upper);
+    }
+  }
+  return box;
+}
+
+PlanBox boxOf(const Segment2& segment) { return boxOf(Polygon{segment.from, segment.to}); }
+
+bool mayTouch(const PlanBox& a, const PlanBox& b) {
+  for (std::size_t axis = 0; axis < 2; ++axis)
+    if (a.upper[axis] < b.lower[axis] || b.upper[axis] < a.lower[axis]) return false;
+  return true;
+}
+
 bool mayTouch(const Polygon& a, const Polygon& b) {
+  if (!mayTouch(boxOf(a), boxOf(b))) return false;
   const auto range = [](const Polygon& p, auto coordinate) {
     return std::minmax_element(p.begin(), p.end(),
                                [&](const Point2& u, const Point2& v) { return coordinate(u) < coordinate(v); });
@@ -84,11 +160,41 @@ bool mayTouch(const Polygon& a, const Polygon& b) {
   return !(ay1->y < by0->y || by1->y < ay0->y);
 }
 
+namespace {
+
+/// On which sides of a line a polygon has corners.
+struct Sides {
+  bool left = false, right = false;
+};
+Sides sidesOf(const Polygon& polygon, const Point2& from, const Point2& to) {
+  Sides sides;
+  for (const Point2& p : polygon) {
+    const int side = turn(from, to, p);
+    sides.left = sides.left || side > 0;
+    sides.right = sides.right || side < 0;
+  }
+  return sides;
+}
+
+/// The part on the left of a line, and the part on its right where that is asked for.
+Polygon leftPart(const Polygon& polygon, const Point2& from, const Point2& to, Polygon* right = nullptr) {
+  const Sides sides = sidesOf(polygon, from, to);
+  if (!sides.right) return polygon;
+  if (!sides.left) {
+    if (right != nullptr) *right = polygon;
+    return {};
+  }
+  const Linear inside = leftOf(from, to);
+  if (right != nullptr) *right = clip(polygon, {-inside.a, -inside.b, -inside.c});
+  return clip(polygon, inside);
+}
+
+}  // namespace
+
 Polygon intersection(const Polygon& a, const Polygon& b) {
   if (!mayTouch(a, b)) return {};
   Polygon result = a;
-  for (std::size_t i = 0; i < b.size() && !result.empty(); ++i)
-    result = clip(result, leftOf(b[i], b[(i + 1) % b.size()]));
+  for (std::size_t i = 0; i < b.size() && !result.empty(); ++i) result = leftPart(result, b[i], b[(i + 1) % b.size()]);
   return result;
 }
 
@@ -103,10 +209,9 @@ std::vector<Polygon> subtract(const std::vector<Polygon>& pieces, const Polygon&
     }
     Polygon rest = piece;
     for (std::size_t i = 0; i < hole.size(); ++i) {
-      const Linear inside = leftOf(hole[i], hole[(i + 1) % hole.size()]);
-      Polygon outside = clip(rest, {-inside.a, -inside.b, -inside.c});
+      Polygon outside;
+      rest = leftPart(rest, hole[i], hole[(i + 1) % hole.size()], &outside);
       if (!outside.empty()) result.push_back(std::move(outside));
-      rest = clip(rest, inside);
     }
   }
   return result;
@@ -125,7 +230,7 @@ Point2 at(const Segment2& line, const Rational& s) {
 }
 
 std::optional<std::pair<Rational, Rational>> commonRange(const Segment2& a, const Segment2& b) {
-  if (twiceArea(a.from, a.to, b.from) != 0 || twiceArea(a.from, a.to, b.to) != 0) return std::nullopt;
+  if (turn(a.from, a.to, b.from) != 0 || turn(a.from, a.to, b.to) != 0) return std::nullopt;
   Rational s = parameter(a, b.from), t = parameter(a, b.to);
   if (s > t) std::swap(s, t);
   s = std::max(s, Rational(0));
@@ -160,12 +265,13 @@ std::vector<Segment2> uncoveredParts(const Segment2& segment, const std::vector<
 std::optional<Segment2> clip(const Segment2& segment, const Polygon& polygon) {
   Rational from = 0, to = 1;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Linear inside = leftOf(polygon[i], polygon[(i + 1) % polygon.size()]);
-    const Rational a = inside.at(segment.from), b = inside.at(segment.to);
-    if (a < 0 && b < 0) return std::nullopt;
-    if (a >= 0 && b >= 0) continue;
+    const Point2 &p = polygon[i], &q = polygon[(i + 1) % polygon.size()];
+    const int atFrom = turn(p, q, segment.from), atTo = turn(p, q, segment.to);
+    if (atFrom < 0 && atTo < 0) return std::nullopt;
+    if (atFrom >= 0 && atTo >= 0) continue;
+    const Rational a = twiceArea(p, q, segment.from), b = twiceArea(p, q, segment.to);
     const Rational s = a / (a - b);
-    if (a < 0)
+    if (atFrom < 0)
       from = std::max(from, s);
     else
       to = std::min(to, s);
@@ -179,7 +285,7 @@ bool passesThrough(const Segment2& segment, const Polygon& polygon) {
   if (!part) return false;
   const Point2 middle = at(*part, Rational(1, 2));
   for (std::size_t i = 0; i < polygon.size(); ++i)
-    if (leftOf(polygon[i], polygon[(i + 1) % polygon.size()]).at(middle) <= 0) return false;
+    if (turn(polygon[i], polygon[(i + 1) % polygon.size()], middle) <= 0) return false;
   return true;
 }
 

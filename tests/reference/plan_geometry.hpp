@@ -45,6 +45,9 @@ Linear leftOf(const Point2& from, const Point2& to);
 /// Twice the signed area of a triangle in the plan.
 Rational twiceArea(const Point2& a, const Point2& b, const Point2& c);
 
+/// Its sign: 1, 0 or -1. Exact; doubles decide where they can, as rationals cost a hundred times as much.
+int turn(const Point2& a, const Point2& b, const Point2& c);
+
 /// Convex, counter-clockwise, no three corners in a row collinear; empty when it has no area.
 using Polygon = std::vector<Point2>;
 
@@ -65,6 +68,15 @@ bool mayTouch(const Polygon& a, const Polygon& b);
 struct Segment2 {
   Point2 from, to;
 };
+
+/// A box around something in the plan, in doubles and a little too large: what looks at many pairs leaves out those
+/// whose boxes are apart before it looks closely.
+struct PlanBox {
+  std::array<double, 2> lower, upper;
+};
+PlanBox boxOf(const Polygon& polygon);
+PlanBox boxOf(const Segment2& segment);
+bool mayTouch(const PlanBox& a, const PlanBox& b);
 
 /// The part that two segments have in common, when it has a length.
 std::optional<Segment2> commonPart(const Segment2& a, const Segment2& b);

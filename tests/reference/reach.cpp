@@ -14,7 +14,7 @@ std::vector<std::size_t> piecesMeant(const std::vector<FloorPiece>& pieces, cons
     const Polygon& outline = pieces[i].outline;
     bool isInside = !outline.empty();
     for (std::size_t k = 0; k < outline.size(); ++k)
-      isInside = isInside && twiceArea(outline[k], outline[(k + 1) % outline.size()], place) >= 0;
+      isInside = isInside && turn(outline[k], outline[(k + 1) % outline.size()], place) >= 0;
     if (!isInside) continue;
     const Rational z = pieces[i].plane.at(place);
     if (z > seed.z || (!meant.empty() && z < highest)) continue;

@@ -16,18 +16,17 @@ Rational heightAt(const Point3& from, const Point3& to, const Point2& place) {
 }
 
 bool isOn(const Point2& a, const Point2& b, const Point2& p) {
-  return twiceArea(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) &&
-         std::min(a.y, b.y) <= p.y && p.y <= std::max(a.y, b.y);
+  return turn(a, b, p) == 0 && std::min(a.x, b.x) <= p.x && p.x <= std::max(a.x, b.x) && std::min(a.y, b.y) <= p.y &&
+         p.y <= std::max(a.y, b.y);
 }
 
 /// Heights of a triangle straight over a place, which no corner has.
 std::vector<Rational> heightsOver(const std::array<Point3, 3>& t, const Point2& place) {
   std::vector<Rational> heights;
-  if (const auto plane = planeThrough(t)) {
-    const Polygon polygon = planTriangle(t);
+  if (const Polygon polygon = planTriangle(t); !polygon.empty()) {
     for (std::size_t k = 0; k < 3; ++k)
-      if (twiceArea(polygon[k], polygon[(k + 1) % 3], place) < 0) return {};
-    return {plane->at(place)};
+      if (turn(polygon[k], polygon[(k + 1) % 3], place) < 0) return {};
+    return {planeThrough(t)->at(place)};
   }
   for (std::size_t k = 0; k < 3; ++k) {
     const Point3 &a = t[k], &b = t[(k + 1) % 3];
@@ -40,6 +39,7 @@ std::vector<Rational> heightsOver(const std::array<Point3, 3>& t, const Point2& 
 
 std::optional<Segment2> sharedStretch(const BorderEdge3& a, const BorderEdge3& b) {
   const Point2 p = planOf(a.from), q = planOf(a.to), r = planOf(b.from), s = planOf(b.to);
+  if (turn(p, q, r) != 0 || turn(p, q, s) != 0) return std::nullopt;  // most pairs, and soon known
   if ((q.x - p.x) * (s.x - r.x) + (q.y - p.y) * (s.y - r.y) >= 0) return std::nullopt;
   return commonPart({p, q}, {r, s});
 }
@@ -49,9 +49,11 @@ bool canStepAt(const Environment& environment, const BorderEdge3& a, const Borde
   const Rational za = heightAt(a.from, a.to, place), zb = heightAt(b.from, b.to, place);
   if (abs(za - zb) > step) return false;
   const Rational low = std::min(za, zb) + step, high = std::max(za, zb) + clearance;
+  const PlanBox box = boxOf(Polygon{place});
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
+    if (isBeside(environment, t, box)) continue;
     const auto corners = cornersOf(environment, t);
-    if (isDegenerate(corners)) continue;
+    if (isOutOf(corners, low, high) || isDegenerate(corners)) continue;
     const auto heights = heightsOver(corners, place);
     if (heights.empty()) continue;
     const auto [least, most] = std::minmax_element(heights.begin(), heights.end());

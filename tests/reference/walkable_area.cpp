@@ -59,6 +59,18 @@ std::array<Point3, 3> cornersOf(const Environment& environment, std::uint32_t tr
           toPoint(environment.vertices[t[2]])};
 }
 
+bool isBeside(const Environment& environment, std::uint32_t triangle, const PlanBox& box) {
+  const Triangle& t = environment.triangles[triangle];
+  const Vec3 &a = environment.vertices[t[0]], &b = environment.vertices[t[1]], &c = environment.vertices[t[2]];
+  return std::max({a.x, b.x, c.x}) < box.lower[0] || std::min({a.x, b.x, c.x}) > box.upper[0] ||
+         std::max({a.y, b.y, c.y}) < box.lower[1] || std::min({a.y, b.y, c.y}) > box.upper[1];
+}
+
+bool isOutOf(const std::array<Point3, 3>& corners, const Rational& low, const Rational& high) {
+  const auto& [p, q, r] = corners;
+  return (p.z <= low && q.z <= low && r.z <= low) || (p.z >= high && q.z >= high && r.z >= high);
+}
+
 std::optional<std::array<Point3, 3>> upwardCorners(const Environment& environment, std::uint32_t triangle) {
   std::array<Point3, 3> corners = cornersOf(environment, triangle);
   Rational area = twiceArea(planOf(corners[0]), planOf(corners[1]), planOf(corners[2]));
@@ -119,16 +131,16 @@ std::optional<Segment2> blockedTrace(const std::array<Point3, 3>& obstacle, cons
 
 bool isFree(const Environment& environment, std::uint32_t floor, const Point2& place, double clearance) {
   const Linear plane = *planeThrough(cornersOf(environment, floor));
+  const PlanBox box = boxOf(Polygon{place});
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
-    if (t == floor) continue;
+    if (t == floor || isBeside(environment, t, box)) continue;
     const auto corners = cornersOf(environment, t);
-    const auto other = planeThrough(corners);
-    if (!other) continue;
     const Polygon triangle = planTriangle(corners);
-    bool covers = true;
-    for (std::size_t k = 0; k < 3; ++k) covers = covers && twiceArea(triangle[k], triangle[(k + 1) % 3], place) >= 0;
-    const Rational height = other->at(place) - plane.at(place);
-    if (covers && height > 0 && height < clearance) return false;
+    bool covers = !triangle.empty();
+    for (std::size_t k = 0; k < 3 && covers; ++k) covers = turn(triangle[k], triangle[(k + 1) % 3], place) >= 0;
+    if (!covers) continue;
+    const Rational height = planeThrough(corners)->at(place) - plane.at(place);
+    if (height > 0 && height < clearance) return false;
   }
   return true;
 }
@@ -206,12 +218,16 @@ void findMeetings(const Region& r, const Region& s, const Polygon& a, const Poly
 
 std::vector<Meeting> findMeetings(const WalkableArea& area) {
   std::vector<std::pair<const Region*, const Polygon*>> cells;
+  std::vector<PlanBox> boxes;
   for (const Region& region : area.regions)
-    for (const Polygon& cell : region.cells) cells.emplace_back(&region, &cell);
+    for (const Polygon& cell : region.cells) {
+      cells.emplace_back(&region, &cell);
+      boxes.push_back(boxOf(cell));
+    }
   std::vector<Meeting> meetings;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     for (std::size_t j = i + 1; j < cells.size(); ++j) {
-      if (!mayTouch(*cells[i].second, *cells[j].second)) continue;
+      if (!mayTouch(boxes[i], boxes[j])) continue;
       Meeting meeting{i, j, {}, 0, 0};
       findMeetings(*cells[i].first, *cells[j].first, *cells[i].second, *cells[j].second, meeting);
       if (!meeting.free.empty() || meeting.blockedLength > 0) meetings.push_back(std::move(meeting));

@@ -32,6 +32,11 @@ void StatusLine::setState(const QString& text, const QString& toolTip) {
   say(StatusSubject::State, text);
 }
 
+void StatusLine::setToolRemark(const QString& remark) {
+  toolRemark_ = remark;
+  showLast();
+}
+
 QString StatusLine::state() const {
   const auto found = std::ranges::find(said_, StatusSubject::State, &Said::subject);
   return found == said_.end() ? QString() : found->text;
@@ -39,7 +44,9 @@ QString StatusLine::state() const {
 
 void StatusLine::showLast() {
   const bool any = !said_.empty();
-  setText(any ? said_.back().text : QString());
+  const bool isTool = any && said_.back().subject == StatusSubject::Tool;
+  const QString remark = isTool && !toolRemark_.isEmpty() ? toolRemark_ + QLatin1Char(' ') : QString();
+  setText(any ? remark + said_.back().text : QString());
   setToolTip(any && said_.back().subject == StatusSubject::State ? stateToolTip_ : QString());
 }
 

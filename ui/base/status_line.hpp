@@ -32,6 +32,8 @@ class StatusLine : public ElidedLabel {
   void setState(const QString& text, const QString& toolTip = {});
   /// The State, whatever is shown at present.
   [[nodiscard]] QString state() const;
+  /// Stands before whatever is said of a Tool; empty: nothing does.
+  void setToolRemark(const QString& remark);
   void setNoteDuration(int ms) { noteTimer_.setInterval(ms); }
 
  private:
@@ -42,7 +44,7 @@ class StatusLine : public ElidedLabel {
   void showLast();
 
   std::vector<Said> said_;  ///< the latest at the end
-  QString stateToolTip_;
+  QString stateToolTip_, toolRemark_;
   QTimer noteTimer_;
 };
 

@@ -35,15 +35,15 @@ void takePart(OpenedPart opened, LoadedEnvironment& result) {
 EnvironmentLoader::EnvironmentLoader(QObject* parent) : QObject(parent) {}
 
 void EnvironmentLoader::load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre,
-                             const std::optional<PartPlace>& place) {
+                             const std::optional<PartPlace>& place, const std::shared_ptr<const PackedPart>& before) {
   const std::string name = QFile::encodeName(path).toStdString();
   work_.start(
       *this,
-      [options, centre, name, place, limits = limits_](RunContext& context) {
+      [options, centre, name, place, before, limits = limits_](RunContext& context) {
         LoadedEnvironment result;
         result.options = options;
         if (const auto packed = tooLarge(name, options, limits)) {
-          takePart(openPart(packed, limits, place, centre, context), result);
+          takePart(openPart(packed, limits, place, centre, context, before.get()), result);
           return result;
         }
         result.environment = onThreads(0, [&](int) { return importEnvironment(name, options, &context); });

@@ -33,9 +33,11 @@ class EnvironmentLoader : public QObject {
   explicit EnvironmentLoader(QObject* parent = nullptr);
 
   /// The geometry is made around `centre`, when one is given: that of the version before. Of a packed environment that
-  /// is too large, the part at `place` is loaded; nothing: in its middle.
+  /// is too large, the part at `place` is loaded; nothing: in its middle. `before`: the part that is there (null:
+  /// none), whose surface is used again where it is of the same file.
   void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt,
-            const std::optional<PartPlace>& place = std::nullopt);
+            const std::optional<PartPlace>& place = std::nullopt,
+            const std::shared_ptr<const PackedPart>& before = nullptr);
   void setPackedLimits(const PackedLimits& limits) { limits_ = limits; }
   void cancel();
   [[nodiscard]] bool busy() const { return work_.busy(); }

@@ -35,8 +35,8 @@ void LevelComposer::setLoaded(std::shared_ptr<const Environment> loaded,
   compose();
 }
 
-void LevelComposer::replaceLoaded(std::shared_ptr<const Environment> loaded) {
-  parts_.replaceLoaded(std::move(loaded), document_.state().partRules);
+void LevelComposer::replaceLoaded(std::shared_ptr<const Environment> loaded, std::shared_ptr<const WholeBounds> whole) {
+  parts_.replaceLoaded(std::move(loaded), std::move(whole), document_.state().partRules);
 }
 
 void LevelComposer::recompose() {

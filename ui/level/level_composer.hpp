@@ -31,8 +31,9 @@ class LevelComposer : public QObject {
   /// Starts anew from an environment as its file gave it (null: none), with the document as it is; emits no signal.
   void setLoaded(std::shared_ptr<const Environment> loaded,
                  std::shared_ptr<const EnvironmentGeometry> geometry = nullptr);
-  /// The same file, read again; edited() follows when something differs.
-  void replaceLoaded(std::shared_ptr<const Environment> loaded);
+  /// The same file, read again; edited() follows when something differs. `whole`: what it is a part of, null for all of
+  /// it.
+  void replaceLoaded(std::shared_ptr<const Environment> loaded, std::shared_ptr<const WholeBounds> whole = nullptr);
   /// The loaded environment with the roles of its parts, before obstacles.
   [[nodiscard]] PartLevel& parts() { return parts_; }
   /// Roles are being worked in: edited() is still to come.

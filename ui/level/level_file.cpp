@@ -33,9 +33,11 @@ void LevelFile::reread(const ImportOptions& options) {
   if (loaded_.environment && !busy()) start(Reading::Again, path(), options, loaded_.geometry->centre, place());
 }
 
-void LevelFile::showPart(const PartPlace& place) {
+bool LevelFile::showPart(const PartPlace& place) {
   const bool isFree = reading_ == Reading::Nothing || reading_ == Reading::OtherPart;
-  if (loaded_.part && isFree) start(Reading::OtherPart, path(), loaded_.options, {}, place);
+  if (!loaded_.part || !isFree) return false;
+  start(Reading::OtherPart, path(), loaded_.options, {}, place);
+  return true;
 }
 
 std::optional<PartPlace> LevelFile::place() const {
@@ -50,7 +52,7 @@ void LevelFile::start(Reading reading, const QString& path, const ImportOptions&
                       const std::optional<Vec3>& centre, const std::optional<PartPlace>& place) {
   reading_ = reading;
   path_ = path;
-  loader_.load(path, options, centre, place);
+  loader_.load(path, options, centre, place, loaded_.part);
 }
 
 void LevelFile::setOptions(const ImportOptions& options) {

@@ -34,9 +34,9 @@ class LevelFile : public QObject {
   /// Other options for the file: it is read again where they make a difference to the mesh, else rescaled() follows at
   /// once. Nothing while another file is being read, which has options of its own.
   void setOptions(const ImportOptions& options);
-  /// Another part of a file of which a part is loaded (LoadedEnvironment::part), with the same options; nothing while
-  /// something else is being read.
-  void showPart(const PartPlace& place);
+  /// Another part of a file of which a part is loaded (LoadedEnvironment::part), with the same options. False: nothing
+  /// is done, as something else is being read.
+  bool showPart(const PartPlace& place);
   void setPackedLimits(const PackedLimits& limits) { loader_.setPackedLimits(limits); }
   void cancel();
 

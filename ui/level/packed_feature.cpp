@@ -39,13 +39,6 @@ std::vector<BlockInView> blocksOf(const PackedPart& part) {
   return blocks;
 }
 
-// Whether pieces of the blocks are the same, but for what belongs to the parts.
-bool isSameFile(const PackedPart& a, const PackedPart& b) {
-  const Environment &head = a.environment->head(), &other = b.environment->head();
-  return a.environment->tableSum() == b.environment->tableSum() && head.source == other.source && head.up == other.up &&
-         head.bothSides == other.bothSides && a.whole->centre == b.whole->centre;
-}
-
 // How far the view reaches to its farther sides, at the distance of a place.
 double seenAround(LevelView& view, const Vec3& place) {
   const qglviewer::Camera& camera = *view.camera();
@@ -96,6 +89,7 @@ void PackedFeature::follow(Reading reading) {
   damaged_.clear();
   runHere_->setEnabled(part_ != nullptr);
   status_->setVisible(part_ != nullptr);
+  note_.setToolRemark(part_ ? tr("Only the part in the frame is known.") : QString());
   if (!part_) {
     loaded_.clear();
     blocks_.clear();
@@ -115,7 +109,7 @@ void PackedFeature::follow(Reading reading) {
   show();
   drawFrame();
   settling_.start();
-  if (reading == Reading::Another) tellOfPart();
+  if (reading == Reading::Another || !before) tellOfPart();  // it may have grown since it was opened
   if (reading != Reading::OtherPart) return;
   emit placeChanged();
   if (part_->isSmaller)
@@ -135,7 +129,8 @@ void PackedFeature::tellOfPart() {
 void PackedFeature::runHere() {
   if (!part_) return;
   const Vec3 place = view_.placeInTheMiddle();
-  file_.showPart({place.x, place.y, seenAround(view_, place)});
+  if (!file_.showPart({place.x, place.y, seenAround(view_, place)}))
+    note_.say(StatusSubject::Note, tr("A file is being read; until that is done, the part stays where it is."));
 }
 
 // --- Blocks

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -95,15 +96,38 @@ PartPlace middlePlace(const PackedEnvironment& environment, const Box& bounds) {
   return place;
 }
 
-/// Nothing where there are more than `most`.
-std::optional<PackedFaces> facesAt(const PackedEnvironment& environment, const PartPlace& place, std::size_t most,
-                                   RunContext& context) {
+/// The place, or the largest of those around it, each somewhat smaller than the one before, that no more than `most`
+/// faces touch; nothing where all have more. Reads each block once.
+std::optional<PartPlace> placeWithin(const PackedEnvironment& environment, const PartPlace& place, std::size_t most,
+                                     RunContext& context) {
+  constexpr double kSmaller = 0.85;
+  constexpr int kTries = 40;
+  std::vector<PartPlace> tries{place};
+  for (int i = 0; i < kTries; ++i) tries.push_back({place.x, place.y, tries.back().half * kSmaller});
+  std::vector<Box> boxes;
+  for (const PartPlace& each : tries) boxes.push_back(boxOf(each));
+  std::vector<std::size_t> lost(tries.size() + 1);  // by each of them: faces that the one before still touches
+  for (const std::size_t block : environment.blocksTouching(boxes.front())) {
+    context.checkCancelled();
+    environment.forFaces(block, [&](const BlockFace& face) {
+      const Box own = boxOf(face);
+      const auto first =
+          std::partition_point(boxes.begin(), boxes.end(), [&](const Box& box) { return touchInPlan(own, box); });
+      if (first != boxes.begin()) ++lost[static_cast<std::size_t>(first - boxes.begin())];
+    });
+  }
+  std::size_t count = std::accumulate(lost.begin(), lost.end(), std::size_t{0});
+  for (std::size_t i = 0; i < tries.size(); ++i) {
+    if (count <= most) return tries[i];
+    count -= lost[i + 1];
+  }
+  return std::nullopt;
+}
+
+PackedFaces facesAt(const PackedEnvironment& environment, const PartPlace& place, RunContext& context) {
   const Box box = boxOf(place);
-  const std::vector<std::size_t> blocks = environment.blocksTouching(box);
-  std::size_t count = 0;
-  PackedFaces faces = environment.facesOf(
-      blocks, [&](const BlockFace& face) { return touchInPlan(boxOf(face), box) && ++count <= most; }, &context);
-  return count <= most ? std::optional(std::move(faces)) : std::nullopt;
+  return environment.facesOf(
+      environment.blocksTouching(box), [&](const BlockFace& face) { return touchInPlan(boxOf(face), box); }, &context);
 }
 
 /// Without a coarse surface (files of version 1), the boxes of blocks.
@@ -128,30 +152,39 @@ BackdropPiece boxesOf(const PackedEnvironment& environment, const Vec3& centre) 
   return boxes;
 }
 
-void addCoarse(PackedPart& part, const Vec3& centre) {
+void makeCoarse(PackedPart& part) {
   const PackedEnvironment& environment = *part.environment;
-  const Box region = boxOf(part.place);
+  const Vec3& centre = part.whole->centre;
   auto piece = std::make_shared<BackdropPiece>();
-  std::vector<std::size_t> counts(environment.blocks().size());
-  const auto add = [&](std::size_t block, const Box& box) {
-    const std::size_t now = piece->triangles();
-    part.isCoarseInPart.resize(now, touchInPlan(box, region) ? 1 : 0);
-    counts[block] = now;
-  };
+  std::vector<std::size_t> ends(environment.blocks().size());
   environment.forCoarseFaces([&](std::size_t block, const CoarseFace& face) {
     addBackdropTriangle(*piece, face, centre, environment.head().bothSides);
-    add(block, boxOf(face));
+    ends[block] = piece->triangles();
   });
   if (piece->surface.empty()) {
     for (std::size_t b = 0; b < environment.blocks().size(); ++b) {
       if (environment.blocks()[b].faces == 0) continue;
       addBox(*piece, environment.boxOf(b), centre);
-      add(b, environment.boxOf(b));
+      ends[b] = piece->triangles();
     }
   }
   part.firstCoarse = {0};
-  for (const std::size_t end : counts) part.firstCoarse.push_back(std::max(part.firstCoarse.back(), end));
+  for (const std::size_t end : ends) part.firstCoarse.push_back(std::max(part.firstCoarse.back(), end));
   part.coarse = std::move(piece);
+}
+
+/// What of the coarse surface stands for something in the part.
+void markCoarse(PackedPart& part) {
+  const PackedEnvironment& environment = *part.environment;
+  const Box region = boxOf(part.place);
+  environment.forCoarseFaces([&](std::size_t, const CoarseFace& face) {
+    part.isCoarseInPart.push_back(touchInPlan(boxOf(face), region) ? 1 : 0);
+  });
+  if (!part.isCoarseInPart.empty()) return;
+  part.isCoarseInPart.resize(part.coarse->triangles());
+  for (std::size_t b = 0; b < environment.blocks().size(); ++b)
+    if (touchInPlan(environment.boxOf(b), region))
+      for (std::size_t t = part.firstCoarse[b]; t < part.firstCoarse[b + 1]; ++t) part.isCoarseInPart[t] = 1;
 }
 
 }  // namespace
@@ -183,11 +216,15 @@ bool touchesPart(const PackedPart& part, std::size_t block) {
   return touchInPlan(part.environment->boxOf(block), boxOf(part.place));
 }
 
+bool isSameFile(const PackedPart& a, const PackedPart& b) {
+  const Environment &head = a.environment->head(), &other = b.environment->head();
+  return a.environment->tableSum() == b.environment->tableSum() && head.source == other.source && head.up == other.up &&
+         head.bothSides == other.bothSides && a.whole->centre == b.whole->centre;
+}
+
 OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const PackedLimits& limits,
-                    const std::optional<PartPlace>& asked, const std::optional<Vec3>& givenCentre,
-                    RunContext& context) {
-  constexpr double kSmaller = 0.85;
-  constexpr int kTries = 40;
+                    const std::optional<PartPlace>& asked, const std::optional<Vec3>& givenCentre, RunContext& context,
+                    const PackedPart* before) {
   const Box bounds = boundsOf(*environment);
   OpenedPart opened;
   PackedPart& part = opened.part;
@@ -197,31 +234,35 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   constexpr std::size_t kDoubt = 2;
   part.place = asked ? fitted(*environment, *asked, kDoubt * most)
                      : fitted(*environment, middlePlace(*environment, bounds), most);
-  std::optional<PackedFaces> faces = facesAt(*environment, part.place, most, context);
-  for (int i = 0; !faces && i < kTries; ++i) {
-    part.place.half *= kSmaller;
-    faces = facesAt(*environment, part.place, most, context);
-  }
-  part.isSmaller = asked && part.place.half < asked->half;
-  if (!faces)
+  const std::optional<PartPlace> place = placeWithin(*environment, part.place, most, context);
+  if (!place)
     throw InputError(FOOTFALL_TEXT("%1: more than %2 triangles stand over one place; footfall run --memory takes them"),
                      environment->head().source, most);
-  if (faces->soup.triangles.empty())
+  part.place = *place;
+  part.isSmaller = asked && part.place.half < asked->half;
+  PackedFaces faces = facesAt(*environment, part.place, context);
+  if (faces.soup.triangles.empty())
     throw InputError(FOOTFALL_TEXT("%1: nothing stands at that place; look at another one"),
                      environment->head().source);
   opened.environment = environment->head();
-  opened.environment.vertices = std::move(faces->soup.vertices);
-  opened.environment.triangles = std::move(faces->soup.triangles);
-  opened.environment.partOf = std::move(faces->partOf);
+  opened.environment.vertices = std::move(faces.soup.vertices);
+  opened.environment.triangles = std::move(faces.soup.triangles);
+  opened.environment.partOf = std::move(faces.partOf);
   // Exports say what they are of.
   opened.environment.origin += " (a part: " + std::to_string(opened.environment.triangles.size()) + " of " +
                                std::to_string(environment->faceCount()) + " triangles)";
   part.environment = std::move(environment);
   const Vec3 centre = givenCentre.value_or(Vec3{middle(bounds, 0), middle(bounds, 1), middle(bounds, 2)});
-  addCoarse(part, centre);
   part.whole = makeWholeBounds({bounds.lower[0], bounds.lower[1], bounds.lower[2]},
                                {bounds.upper[0], bounds.upper[1], bounds.upper[2]}, centre,
                                boxesOf(*part.environment, centre).surface);
+  if (before != nullptr && isSameFile(*before, part)) {
+    part.coarse = before->coarse;
+    part.firstCoarse = before->firstCoarse;
+  } else {
+    makeCoarse(part);
+  }
+  markCoarse(part);
   return opened;
 }
 

@@ -60,10 +60,14 @@ struct OpenedPart {
   PackedPart part;
   Environment environment;
 };
+/// Whether pieces of the blocks are the same, but for what belongs to the parts.
+bool isSameFile(const PackedPart& a, const PackedPart& b);
 /// The part at a place (nothing: in the middle), smaller where it would have more triangles than the limit. `centre`:
-/// of the scene, else the middle of the environment. Throws as PackedEnvironment does, InputError where nothing or too
+/// of the scene, else the middle of the environment. `before`: a part whose coarse surface is used again where it is of
+/// the same file. Throws as PackedEnvironment does, InputError where nothing or too
 /// much stands at the place, and Cancelled.
 OpenedPart openPart(std::shared_ptr<const detail::PackedEnvironment> environment, const PackedLimits& limits,
-                    const std::optional<PartPlace>& place, const std::optional<Vec3>& centre, RunContext& context);
+                    const std::optional<PartPlace>& place, const std::optional<Vec3>& centre, RunContext& context,
+                    const PackedPart* before = nullptr);
 
 }  // namespace footfall::ui

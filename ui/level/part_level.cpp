@@ -24,6 +24,7 @@ void PartLevel::setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std
   work_.stop();
   loaded_ = std::move(loaded);
   geometry_ = std::move(geometry);
+  whole_ = geometry_ ? geometry_->whole : nullptr;
   rules_ = rules;
   versions_.clear();
   computed_ = nullptr;
@@ -34,8 +35,10 @@ void PartLevel::setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std
     versions_.push_front({loaded_, rules_, base_, geometry_});
 }
 
-void PartLevel::replaceLoaded(EnvironmentPtr loaded, const std::vector<PartRule>& rules) {
+void PartLevel::replaceLoaded(EnvironmentPtr loaded, std::shared_ptr<const WholeBounds> whole,
+                              const std::vector<PartRule>& rules) {
   loaded_ = std::move(loaded);
+  whole_ = std::move(whole);
   rules_ = rules;
   update();
 }
@@ -67,7 +70,7 @@ void PartLevel::work(EnvironmentPtr base) {
   work_.start(
       *this,
       [loaded = loaded_, rules = rules_, before = computed_ ? computed_ : base_, given = std::move(base),
-       centre = geometry_->centre, whole = geometry_->whole](RunContext& context) {
+       centre = geometry_->centre, whole = whole_](RunContext& context) {
         const EnvironmentPtr made = given ? given : diffEnvironments(before, applyPartRules(loaded, rules), &context);
         context.checkCancelled();
         return std::pair<EnvironmentPtr, GeometryPtr>(made, makeEnvironmentGeometry(*made, centre, true, whole));

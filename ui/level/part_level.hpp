@@ -29,8 +29,9 @@ class PartLevel : public QObject {
 
   /// Starts anew (null: nothing is loaded), at once; changed() is emitted only for a geometry() that is made later.
   void setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules);
-  /// The same file, read again.
-  void replaceLoaded(EnvironmentPtr loaded, const std::vector<PartRule>& rules);
+  /// The same file, read again. `whole`: what it is a part of, null for all of it.
+  void replaceLoaded(EnvironmentPtr loaded, std::shared_ptr<const WholeBounds> whole,
+                     const std::vector<PartRule>& rules);
   /// Does nothing when these are the rules already.
   void setRules(const std::vector<PartRule>& rules);
   /// A run on base(), or on it with obstacles, has finished.
@@ -62,6 +63,7 @@ class PartLevel : public QObject {
 
   EnvironmentPtr loaded_, base_, computed_;
   GeometryPtr geometry_;
+  std::shared_ptr<const WholeBounds> whole_;
   std::vector<PartRule> rules_;
   std::list<Version> versions_;  ///< most recent first: undo finds its results in the cache
   LatestWork work_;              // last: its thread ends before the rest goes

@@ -119,7 +119,7 @@ void LevelOpening::take(Reading reading, const std::shared_ptr<const Environment
   // The document's options may rescale the file's level while this one is taken.
   const LoadedEnvironment loaded = uses_.file.loaded();
   if (reading == Reading::Again) {
-    uses_.composer.replaceLoaded(loaded.environment);
+    uses_.composer.replaceLoaded(loaded.environment, loaded.geometry->whole);
     return;
   }
   const bool isAnother = reading == Reading::Another;

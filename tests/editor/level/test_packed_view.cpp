@@ -282,6 +282,110 @@ class TestPackedView : public QObject {
     QCOMPARE(window_->file().loaded().part->environment->faceCount(), packed_->faceCount() + 2);
   }
 
+  void anotherExtentIsSeen() {
+    openCopy("farther.ffenv", kTiny);
+    const Vec3 lower = window_->view().environmentGeometry()->lower,
+               upper = window_->view().environmentGeometry()->upper;
+    const Vec3 centre = window_->view().environmentGeometry()->centre;
+    const auto coarse = window_->view().backdrop()->coarse;
+    packWith("farther.ffenv", "v 5000 0 0\nv 5010 0 0\nv 5000 0 -10\nf -3 -2 -1\n");
+    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("read again"); }, kWaitMs));
+    QVERIFY(waitUntilIdle(*window_));
+    const auto geometry = window_->view().environmentGeometry();
+    QVERIFY(geometry->centre == centre && geometry->lower == lower);
+    QCOMPARE(geometry->upper.x, 5010 - centre.x);
+    QCOMPARE(geometry->upper.y, upper.y);
+    QVERIFY(window_->view().backdrop()->coarse != coarse);
+    shoot(*window_, "packed-farther");
+  }
+
+  void aFileThatGrowsBecomesAPart() {
+    openCopy("grows.ffenv", {.whole = packed_->faceCount(), .part = 20'000, .shown = 60'000});
+    QVERIFY(!window_->view().backdrop() && window_->messageBar().text().isEmpty());
+    packWith("grows.ffenv", "v 0 0 0\nv 10 0 0\nv 0 0 -10\nf -3 -2 -1\n");
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().loaded().part != nullptr; }, kWaitMs));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->view().backdrop());
+    QVERIFY(window_->commands().find("pipeline.runHere")->isEnabled());
+    QVERIFY2(window_->messageBar().text().contains("grows.ffenv has 0.201 million triangles"),
+             qPrintable(window_->messageBar().text()));
+    QCOMPARE(window_->level()->triangles.size(), window_->environment()->triangles.size());
+    QVERIFY(window_->view().environmentGeometry()->whole);
+    shoot(*window_, "packed-grown");
+  }
+
+  void whileAFileIsReadThePartStays() {
+    openLarge();
+    const PartPlace place = window_->file().loaded().part->place;
+    const Box box = packed_->boxOf(farthestBlock());
+    window_->view().cameraController().frame(pointOf(box.lower), pointOf(box.upper));
+    window_->file().reread({});
+    QVERIFY(window_->file().busy());
+    window_->commands().find("pipeline.runHere")->trigger();
+    QVERIFY2(said().startsWith("A file is being read"), qPrintable(said()));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->file().loaded().part->place == place);
+  }
+
+  void otherPartsHaveTheSameSurface() {
+    openLarge();
+    const auto before = window_->file().loaded().part;
+    const Box box = packed_->boxOf(farthestBlock());
+    window_->view().cameraController().frame(pointOf(box.lower), pointOf(box.upper));
+    QVERIFY(waitUntilIdle(*window_));
+    window_->packed().runHere();
+    QVERIFY(waitUntilIdle(*window_));
+    const auto part = window_->file().loaded().part;
+    QVERIFY(!(part->place == before->place));
+    QVERIFY(part->coarse == before->coarse);
+    QCOMPARE(part->firstCoarse, before->firstCoarse);
+    QVERIFY(part->isCoarseInPart != before->isCoarseInPart);
+    // Which of it is in the part is what it is without any part before.
+    RunContext context;
+    const OpenedPart fresh = openPart(part->environment, kTiny, part->place, std::nullopt, context);
+    QVERIFY(fresh.part.coarse != part->coarse && fresh.part.place == part->place);
+    QCOMPARE(fresh.part.firstCoarse, part->firstCoarse);
+    QCOMPARE(fresh.part.isCoarseInPart, part->isCoarseInPart);
+  }
+
+  // As large as it may be, in steps of a seventh.
+  void thePartIsAsLargeAsItMayBe() {
+    const PartPlace asked{middle().x, middle().y, 1e6};
+    const auto facesAt = [&](const PartPlace& place) {
+      return packed_->facesTouching(boxOf(place)).soup.triangles.size();
+    };
+    int shrunk = 0;
+    for (const std::size_t most : {20'000, 5000, 2000, 1000, 300, 100}) {
+      RunContext context;
+      const auto environment = std::make_shared<const PackedEnvironment>(city_.toStdString());
+      const OpenedPart opened = openPart(environment, {.whole = 1000, .part = most}, asked, std::nullopt, context);
+      PartPlace place = opened.part.place;
+      const std::size_t count = opened.environment.triangles.size();
+      QVERIFY(opened.part.isSmaller && count > 0 && count <= most);
+      QCOMPARE(count, facesAt(place));
+      place.half /= 0.85;
+      shrunk += facesAt(place) > most ? 1 : 0;
+    }
+    QVERIFY(shrunk >= 4);  // else the blocks' boxes promised too much
+  }
+
+  void toolsSayThatTheyKnowThePart() {
+    openLarge();
+    const QString remark = "Only the part in the frame is known. ";
+    for (const char* tool : {"inspect.why", "tools.path", "tools.measure"}) {
+      QAction* action = window_->commands().find(tool);
+      QVERIFY2(action, tool);
+      action->trigger();
+      QVERIFY2(said().startsWith(remark) && said().size() > remark.size(), qPrintable(said()));
+      shoot(*window_, QString("packed-") + tool);
+      window_->view().setTool(nullptr);
+      QVERIFY2(!said().contains(remark), qPrintable(said()));
+    }
+    QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), "SlopeFilter 45"));
+    window_->commands().find("inspect.why")->trigger();
+    QVERIFY2(!said().isEmpty() && !said().contains(remark), qPrintable(said()));
+  }
+
   void aWholeOneAfterALargeOne() {
     openLarge();
     QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), "SlopeFilter 45"));
@@ -319,6 +423,22 @@ class TestPackedView : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window_->file().loaded().part != nullptr; }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
   }
+
+  /// A copy of the city, which is then open.
+  void openCopy(const QString& name, const PackedLimits& limits) {
+    const QString file = folder_.filePath(name);
+    QFile::remove(file);
+    QVERIFY(QFile::copy(city_, file));
+    window_->file().setPackedLimits(limits);
+    window_->open(file);
+    QVERIFY(waitUntilIdle(*window_));
+  }
+  /// The city with more in it takes the copy's place.
+  void packWith(const QString& name, const QByteArray& more) {
+    const QString changed = writeFile(folder_, "changed.obj", readFile(folder_.filePath("city.obj")) + more);
+    packEnvironment(changed.toStdString(), folder_.filePath(name).toStdString(), {}, nullptr);
+  }
+  [[nodiscard]] QString said() const { return window_->statusLine().text(); }
 
   /// From the part, of those that are no larger than others.
   [[nodiscard]] std::size_t farthestBlock() const {

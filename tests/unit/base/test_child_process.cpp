@@ -14,8 +14,9 @@ using namespace footfall::detail;
 
 namespace {
 
-ChildResult runShell(const std::string& text, Poll poll = {}, ChildEnding ending = ChildEnding::Killed) {
-  return runChild({"sh", "-c", text}, poll, ending);
+ChildResult runShell(const std::string& text, Poll poll = {}, ChildEnding ending = ChildEnding::Killed,
+                     double graceMs = kChildGraceMs) {
+  return runChild({"sh", "-c", text}, poll, ending, graceMs);
 }
 
 QByteArray contentOf(const QString& path) {
@@ -101,10 +102,10 @@ class TestChildProcess : public QObject {
     const QString id = folder.filePath("id");
     const Stopwatch watch;
     QVERIFY_EXCEPTION_THROWN(runShell("trap '' TERM; echo $$ >'" + id.toStdString() + "'; while :; do sleep 1; done",
-                                      cancelsAfter(id), ChildEnding::Asked),
+                                      cancelsAfter(id), ChildEnding::Asked, 700),
                              Cancelled);
     QVERIFY(isGone(contentOf(id)));
-    QVERIFY(watch.wallMs() >= 4900);
+    QVERIFY(watch.wallMs() >= 700);
   }
 };
 

@@ -11,6 +11,7 @@
 #include "core/exact/face_triangulation.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "tests/support/exact_turn.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -62,6 +63,10 @@ Rational3 rationalNormal(const Vec3& a, const Vec3& b, const Vec3& c) {
 mpq_class orientation(const Rational3& a, const Rational3& b, const Rational3& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
+int turnOf(const Rational3& a, const Rational3& b, const Rational3& c) {
+  return test::exactTurn(a[0], a[1], b[0], b[1], c[0], c[1]);
+}
+int compare(const mpq_class& a, const mpq_class& b) { return (a > b ? 1 : 0) - (a < b ? 1 : 0); }
 
 /// A soup with at least one triangle that faces up.
 std::shared_ptr<const SourceMesh> randomMesh(Random& random, Numbers grid, int triangles) {
@@ -200,13 +205,13 @@ class TestExact : public QObject {
         std::uniform_int_distribution<std::size_t> pick(0, points.size() - 1);
         for (int n = 0; n < 40; ++n) {
           const std::size_t a = pick(random), b = pick(random), c = pick(random);
-          const int expected = sgn(orientation(places[a], places[b], places[c]));
+          const int expected = turnOf(places[a], places[b], places[c]);
           QCOMPARE(geometry.orientation(points[a], points[b], points[c]), expected);
           QCOMPARE(kernel.orientation(geometry[points[a]], geometry[points[b]], geometry[points[c]], geometry.origin(),
                                       count),
                    expected);
-          QCOMPARE(geometry.compare(points[a], points[b], 0), sgn(places[a][0] - places[b][0]));
-          QCOMPARE(geometry.compare(points[a], points[b], 1), sgn(places[a][1] - places[b][1]));
+          QCOMPARE(geometry.compare(points[a], points[b], 0), compare(places[a][0], places[b][0]));
+          QCOMPARE(geometry.compare(points[a], points[b], 1), compare(places[a][1], places[b][1]));
         }
         for (std::size_t i2 = 0; i2 < points.size(); ++i2) {
           const Vec3 rounded = kernel.roundedPosition(geometry[points[i2]], face);

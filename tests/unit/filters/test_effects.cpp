@@ -36,13 +36,16 @@ std::vector<double> areasOfParts(const std::vector<Piece>& pieces) {
 
 /// Both cover the same in every plane, and their parts have the same areas.
 std::string findShapeDifference(const std::vector<Piece>& before, const std::vector<Piece>& after) {
+  std::map<const Piece*, Linear> planes;
+  for (const auto* side : {&before, &after})
+    for (const Piece& p : *side) planes[&p] = *planeThrough(p.corners);
   for (const auto* side : {&before, &after}) {
     const auto& mine = *side;
     const auto& other = side == &before ? after : before;
     for (const Piece& p : mine) {
       Rational covered = 0;
       for (const Piece& q : other)
-        if (*planeThrough(p.corners) == *planeThrough(q.corners)) covered += twiceCommonArea(p.plan, q.plan);
+        if (planes[&p] == planes[&q]) covered += twiceCommonArea(p.plan, q.plan);
       if (covered != twiceArea(p.plan)) return "not covered as often as before: " + toText(p);
     }
   }

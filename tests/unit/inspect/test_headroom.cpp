@@ -32,17 +32,16 @@ std::optional<double> slowHeadroom(const Environment& environment, const Vec3& p
   double lowest = cap;
   for (std::uint32_t t = 0; t < environment.triangles.size(); ++t) {
     const auto corners = reference::cornersOf(environment, t);
-    const auto plane = reference::planeThrough(corners);
-    if (!plane) continue;
     const reference::Polygon triangle = reference::planTriangle(corners);
+    if (triangle.empty()) continue;
     bool inside = true;
     for (std::size_t k = 0; k < 3 && inside; ++k) {
-      const Rational side = reference::twiceArea(triangle[k], triangle[(k + 1) % 3], reference::planOf(p));
+      const int side = reference::turn(triangle[k], triangle[(k + 1) % 3], reference::planOf(p));
       if (side == 0) return std::nullopt;
       inside = side > 0;
     }
     if (!inside) continue;
-    const Rational height = plane->at(reference::planOf(p)) - p.z;
+    const Rational height = reference::planeThrough(corners)->at(reference::planOf(p)) - p.z;
     if (height != 0 && abs(height) < 1e-9) return std::nullopt;
     if (height > 0) lowest = std::min(lowest, height.get_d());
   }

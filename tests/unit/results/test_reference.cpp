@@ -45,6 +45,28 @@ class TestReference : public QObject {
     QCOMPARE(cleaned({{0, 0}, {1, 0}, {2, 0}, {0, 1}}).size(), std::size_t{3});
   }
 
+  // Where doubles cannot tell, and where they cannot even hold the numbers.
+  void turns() {
+    const auto number = [](const char* text) { return Rational(text); };
+    const Rational third(1, 3), tiny = number("1/1000000000000000000000000000000000000000000000000000000000000"),
+                                huge = 1 / tiny, least = tiny * tiny * tiny * tiny * tiny * tiny, most = 1 / least;
+    for (const Rational& size : {Rational(1), third, tiny, huge, least, most, Rational(third * most)}) {
+      const Point2 a{-size, -third * size}, b{2 * size, Rational(2 * third * size)};
+      QCOMPARE(turn(a, b, {0, 0}), 0);
+      QCOMPARE(turn(b, a, {0, 0}), 0);
+      for (const Rational& part : {Rational(1), Rational(1, 1000), tiny, least}) {
+        const Rational off = size * part;
+        QCOMPARE(turn(a, b, {0, off}), 1);
+        QCOMPARE(turn(b, a, {0, off}), -1);
+        QCOMPARE(turn(a, b, {off, 0}), -1);
+        QVERIFY(mayTouch(boxOf(Segment2{{0, 0}, {off, off}}), boxOf(Segment2{{off, off}, {size, size}})));
+      }
+    }
+    QVERIFY(!mayTouch(boxOf(Segment2{{0, 0}, {1, 1}}), boxOf(Segment2{{0, 2}, {1, 3}})));
+    QVERIFY(!mayTouch(boxOf(Segment2{{-3, 0}, {-2, 1}}), boxOf(Segment2{{-1, 0}, {1, 1}})));
+    QVERIFY(!mayTouch(boxOf(Polygon{}), boxOf(Segment2{{-1, 0}, {1, 1}})));
+  }
+
   void segments() {
     const Segment2 s{{0, 0}, {4, 0}};
     QVERIFY(!commonPart(s, {{4, 0}, {5, 0}}));
