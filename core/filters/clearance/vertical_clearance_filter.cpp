@@ -46,7 +46,9 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
   const auto giantCount = static_cast<Index>(giants.size());
   // What a giant under a crowd takes is no matter of its being one face of many.
   const double giantShare =
-      std::any_of(giants.begin(), giants.end(), [&](Index t) { return pass.mayBeCrowded(t); }) ? 0.25 : 0;
+      std::any_of(giants.begin(), giants.end(), [&](Index t) { return !pass.isMostlyKnown(t) && pass.mayBeCrowded(t); })
+          ? 0.25
+          : 0;
   std::vector<std::atomic<double>> giantsDone(giants.size());
   std::atomic<Index> done{0}, nextTask{0};
   const auto reportProgress = [&] {
