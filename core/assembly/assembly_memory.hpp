@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <memory_resource>
 #include <utility>
@@ -38,12 +41,21 @@ struct JoinMemory {
   std::vector<std::pair<Index, Index>> equal;  ///< vertices at one place
 };
 
+/// What is kept of a face under many obstacles, so that an edit cuts it anew only near what changed.
+struct LargeFace {
+  std::vector<ApproximatePoint> points;    ///< those of its cuts, relative to its first vertex
+  std::array<std::uint64_t, 64> depths{};  ///< how deep obstacles lie over its parts
+  std::size_t areas = 0;                   ///< how many obstacles are no walls
+};
+
 struct AssemblyMemory {
   /// For each source triangle that something cuts; else null.
   FaceMeshes meshes;
   /// For each source triangle what stands in the clearance above it and overlaps it in the plan, ascending; null:
   /// nothing, or no floor.
   std::vector<std::shared_ptr<const std::pmr::vector<Index>>> candidates;
+  /// Some source triangles under many obstacles.
+  std::map<Index, std::shared_ptr<const LargeFace>> large;
   double clearance = 0;
   JoinMemory join;
 };

@@ -2,6 +2,7 @@
 #include "core/assembly/earlier_result.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -12,11 +13,6 @@ namespace {
 
 // So many boxes are worth a tree.
 constexpr std::size_t kManyBoxes = 32;
-
-bool overlaps(const Box& a, const Box& b) {
-  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
-         a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
-}
 
 // Whether a point depends on a height above a floor.
 bool usesLevel(const PlanPoint& point) {
@@ -129,19 +125,18 @@ bool EarlierResult::hasSameCuts(Index face, const CutTable& now) const {
 bool EarlierResult::isTouched(const Box& box) const {
   if (!edit_) return false;
   if (tree_) {
-    if (!overlaps(removed_, box) && !overlaps(added_, box)) return false;
+    if (!overlap(removed_, box) && !overlap(added_, box)) return false;
     std::vector<std::int32_t> stack;
     bool isFound = false;
     tree_->visitOverlapping(box, stack, [&](std::int32_t id) {
       const auto i = static_cast<std::size_t>(id), removed = edit_->removed.size();
-      isFound = overlaps(i < removed ? edit_->removed[i] : edit_->added[i - removed], box);
+      isFound = overlap(i < removed ? edit_->removed[i] : edit_->added[i - removed], box);
       return !isFound;
     });
     return isFound;
   }
   const auto any = [&](const Box& all, const std::vector<Box>& boxes) {
-    return overlaps(all, box) &&
-           std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return overlaps(b, box); });
+    return overlap(all, box) && std::any_of(boxes.begin(), boxes.end(), [&](const Box& b) { return overlap(b, box); });
   };
   return any(removed_, edit_->removed) || any(added_, edit_->added);
 }
@@ -195,6 +190,24 @@ std::shared_ptr<const std::pmr::vector<Index>> EarlierResult::candidates(Index f
   for (Index& t : *result) t = edit_->triangleOf[t];
   std::erase(*result, -1);
   return {memory, result};
+}
+
+std::vector<Index> EarlierResult::gone(Index faceBefore) const {
+  std::vector<Index> result;
+  const auto& shared = before_->memory->candidates[faceBefore];
+  if (!edit_ || !shared) return result;
+  std::copy_if(shared->begin(), shared->end(), std::back_inserter(result),
+               [&](Index t) { return edit_->triangleOf[t] < 0; });
+  return result;
+}
+
+std::array<Box, 2> EarlierResult::changedIn(const Box& box) const {
+  const auto around = [&](const std::vector<Box>& boxes) {
+    std::vector<Box> near;
+    std::copy_if(boxes.begin(), boxes.end(), std::back_inserter(near), [&](const Box& b) { return overlap(b, box); });
+    return boxAround(near);
+  };
+  return edit_ ? std::array{around(edit_->removed), around(edit_->added)} : std::array{boxAround({}), boxAround({})};
 }
 
 const std::vector<Index>& EarlierResult::added() const {

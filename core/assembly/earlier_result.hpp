@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <memory>
 #include <memory_resource>
 #include <optional>
@@ -48,6 +49,11 @@ class EarlierResult {
   /// What stood above a face, as far as it still exists.
   [[nodiscard]] std::shared_ptr<const std::pmr::vector<Index>> candidates(Index faceBefore,
                                                                           const CopyMemory& memory) const;
+  /// What stood above a face and does not exist any more, in numbers of the earlier mesh.
+  [[nodiscard]] std::vector<Index> gone(Index faceBefore) const;
+  /// Around all triangles that went, and all that came, which may reach into the box; without any, a box that overlaps
+  /// none.
+  [[nodiscard]] std::array<Box, 2> changedIn(const Box& box) const;
   /// The triangles that came, except degenerate ones.
   [[nodiscard]] const std::vector<Index>& added() const;
 

@@ -39,12 +39,6 @@ Box whole(const Box& a, const Box& b) {
   return box;
 }
 
-bool overlap(const Box& a, const Box& b) {
-  for (int k = 0; k < 3; ++k)
-    if (a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k]) return false;
-  return true;
-}
-
 /// Holds the exact place of the vertex.
 Box boxAround(const MeshVertex& v) {
   const auto low = [&](double c) { return c - v.error - std::fabs(c) * kCoordinateRounding; };

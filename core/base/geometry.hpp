@@ -22,4 +22,10 @@ struct Box {
   std::array<double, 3> upper{};
 };
 
+/// Whether two boxes have a point in common.
+[[nodiscard]] inline bool overlap(const Box& a, const Box& b) {
+  return a.lower[0] <= b.upper[0] && a.upper[0] >= b.lower[0] && a.lower[1] <= b.upper[1] && a.upper[1] >= b.lower[1] &&
+         a.lower[2] <= b.upper[2] && a.upper[2] >= b.lower[2];
+}
+
 }  // namespace footfall::detail

@@ -3,12 +3,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <cstdint>
 #include <vector>
 
 #include "core/exact/face_geometry.hpp"
 
 namespace footfall::detail {
+
+/// Where points lie along the curve through the geometry's face.
+class CurvePlaces {
+ public:
+  explicit CurvePlaces(const FaceGeometry& geometry);
+  [[nodiscard]] std::uint64_t of(const ApproximatePoint& point) const;
+
+ private:
+  double left_ = 0, bottom_ = 0, scale_ = 0;
+};
 
 /// Sorts points of the geometry, whose face has an area in the plan. Where rounded places are too close to be
 /// ordered, what the points were made of decides.

@@ -370,6 +370,13 @@ void FaceCutter::collectAll(Cuts& cuts) {
   }
 }
 
+std::vector<ApproximatePoint> FaceCutter::placesOfPoints() const {
+  std::vector<ApproximatePoint> places;
+  places.reserve(order_.size());
+  for (const Index p : order_) places.push_back(geometry_.approximate(p));
+  return places;
+}
+
 void FaceCutter::addCuts(const FaceCuts& cuts, std::vector<Index>& points, std::vector<Index>& lines) {
   addAllCuts(cuts, points, lines);
 }

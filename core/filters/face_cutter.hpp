@@ -103,6 +103,8 @@ class FaceCutter {
   /// (null: all do) count as enclosed; the segments must part them from the others.
   void keepOutline(OpenGrid& grid, const OpenGrid* openCells = nullptr);
   [[nodiscard]] std::size_t segmentCount() const { return segments_.size(); }
+  /// The rounded places of the points of what collect() gave last.
+  [[nodiscard]] std::vector<ApproximatePoint> placesOfPoints() const;
   /// Everything that was cut; of FaceCuts that cover the face nothing but that.
   void collect(FaceCuts& cuts);
   void collect(FaceShare& cuts);
@@ -120,6 +122,7 @@ class FaceCutter {
   std::vector<Index> sideLines_;
   std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
   Index obstacle_ = -1;
+  std::vector<CutSegment> segments_;
 
  private:
   bool addPolygon(std::span<const Index> planIds);
@@ -136,7 +139,7 @@ class FaceCutter {
   FaceTriangulation triangulation_;  ///< of what keepOutline() looks at
   bool started_ = false;
   std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles cannot decide how they lie to the face
-  std::vector<CutSegment> segments_, sorted_;
+  std::vector<CutSegment> sorted_;
   std::vector<Index> counts_;
   std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
   std::vector<Index> order_;    ///< of the points in them

@@ -19,6 +19,8 @@ constexpr std::size_t kLeastEntries = 12;
 
 std::size_t sizeOf(const CachedPrefix& prefix, CountedParts& counted) {
   std::size_t bytes = prefix.state ? detail::sizeOf(*prefix.state, counted) : 0;
+  if (prefix.rounded && counted.insert(prefix.rounded.get()).second)
+    bytes += prefix.rounded->places.size() * (sizeof(Vec3) + 1);
   if (prefix.mesh && counted.insert(prefix.mesh.get()).second) bytes += detail::sizeOf(*prefix.mesh);
   return bytes;
 }
@@ -51,24 +53,47 @@ std::optional<CachedPrefix> PrefixCache::find(const EnvironmentPtr& environment,
   return found->prefix;
 }
 
-StatePtr PrefixCache::findEarlier(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
-                                  std::size_t count) {
-  const EnvironmentPtr base = environment->edit ? environment->edit->base.lock() : nullptr;
-  const std::lock_guard lock(mutex_);
-  StatePtr any;
+CachedPrefix PrefixCache::earlierPrefix(const EnvironmentPtr& environment, const EnvironmentPtr& base,
+                                        const std::vector<const PipelineStep*>& steps, std::size_t count,
+                                        bool hasPlaces) const {
+  const CachedPrefix* any = nullptr;
   for (const Entry& entry : entries_) {
     const EnvironmentPtr of = entry.environment.lock();
     const auto& known = entry.prefix.steps;
-    if (!of || (of != environment && of != base) || known.size() != count) continue;
+    if (!of || (of != environment && of != base) || known.size() != count || (hasPlaces && !entry.prefix.rounded))
+      continue;
     bool sameFilters = true, sameValues = true;
     for (std::size_t i = 0; i < count && sameFilters; ++i) {
       sameFilters = known[i].name == steps[i]->filter->name;
       sameValues = sameValues && known[i].parameters == steps[i]->values;
     }
-    if (sameFilters && sameValues) return entry.prefix.state;
-    if (sameFilters && !any) any = entry.prefix.state;
+    if (sameFilters && sameValues) return entry.prefix;
+    if (sameFilters && any == nullptr) any = &entry.prefix;
   }
-  return any;
+  return any != nullptr ? *any : CachedPrefix();
+}
+
+namespace {
+
+std::shared_ptr<const Environment> baseOf(const Environment& environment) {
+  return environment.edit ? environment.edit->base.lock() : nullptr;
+}
+
+}  // namespace
+
+StatePtr PrefixCache::findEarlier(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
+                                  std::size_t count) {
+  const EnvironmentPtr base = baseOf(*environment);
+  const std::lock_guard lock(mutex_);
+  return earlierPrefix(environment, base, steps, count, false).state;
+}
+
+KnownPlaces PrefixCache::findPlaces(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
+                                    std::size_t count) {
+  const EnvironmentPtr base = baseOf(*environment);
+  const std::lock_guard lock(mutex_);
+  CachedPrefix found = earlierPrefix(environment, base, steps, count, true);
+  return {std::move(found.state), std::move(found.rounded)};
 }
 
 void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {

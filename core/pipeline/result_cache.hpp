@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/filters/rounding/known_places.hpp"
 #include "core/pipeline/runner.hpp"
 
 namespace footfall::detail {
@@ -18,8 +19,9 @@ namespace footfall::detail {
 struct CachedPrefix {
   StatePtr state;
   StateSummary summary;
-  std::vector<StepStatistics> steps;           ///< of the whole prefix, as they were measured
-  std::shared_ptr<const NavigationMesh> mesh;  ///< empty until somebody made it
+  std::vector<StepStatistics> steps;             ///< of the whole prefix, as they were measured
+  std::shared_ptr<const NavigationMesh> mesh;    ///< empty until somebody made it
+  std::shared_ptr<const RoundedPlaces> rounded;  ///< the places of which it was made
 };
 
 /// Thread-safe; see ResultCache.
@@ -37,6 +39,9 @@ class PrefixCache {
   /// one with any.
   StatePtr findEarlier(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
                        std::size_t count);
+  /// The same of those whose navigation mesh was made.
+  KnownPlaces findPlaces(const EnvironmentPtr& environment, const std::vector<const PipelineStep*>& steps,
+                         std::size_t count);
   /// Replaces an entry with the same environment and key; the least recently used goes when there are too many.
   void store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix);
   void clear();
@@ -50,6 +55,10 @@ class PrefixCache {
     std::string key;
     CachedPrefix prefix;
   };
+  /// The prefix for findEarlier(), or of those with rounded places for findPlaces(); to be called with the lock.
+  [[nodiscard]] CachedPrefix earlierPrefix(const EnvironmentPtr& environment, const EnvironmentPtr& base,
+                                           const std::vector<const PipelineStep*>& steps, std::size_t count,
+                                           bool hasPlaces) const;
   std::list<Entry>::iterator locate(const EnvironmentPtr& environment, const std::string& key);
   /// How many of the most recently used entries stay within the bounds.
   [[nodiscard]] std::size_t countToKeep() const;

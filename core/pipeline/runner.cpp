@@ -114,8 +114,11 @@ class Run {
     const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
-      current_.mesh =
-          guarded(FOOTFALL_TEXT("navigation mesh"), [&] { return makeNavigationMesh(current_.state, context_); });
+      const KnownPlaces known =
+          cache_ != nullptr ? cache_->findPlaces(environment_, steps_, steps_.size()) : KnownPlaces();
+      current_.mesh = guarded(FOOTFALL_TEXT("navigation mesh"),
+                              [&] { return makeNavigationMesh(current_.state, known, current_.rounded, context_); });
+      if (cache_ == nullptr) current_.rounded = nullptr;
       remember();
     }
     RunResult result;
@@ -226,6 +229,7 @@ class Run {
       current_.state = std::move(outcome.state);
       current_.summary = summarize(*current_.state);
       current_.mesh = nullptr;
+      current_.rounded = nullptr;
       statistics.out = current_.summary;
       current_.steps.push_back(std::move(statistics));
       remember();
@@ -268,6 +272,7 @@ class Run {
       if (!current_.state) return;
       current_.summary = outcome.summary;
       current_.mesh = nullptr;
+      current_.rounded = nullptr;
       for (StepStatistics& step : outcome.steps) current_.steps.push_back(std::move(step));
       remember();
       // What was post-processing lies between two blocks.

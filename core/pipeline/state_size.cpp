@@ -28,7 +28,9 @@ std::size_t bytesOf(const AssemblyMemory& memory) {
   constexpr std::size_t kPerPoint =
       sizeof(PlanPoint) + sizeof(ApproximatePoint) + sizeof(PlanLine) + 2 * sizeof(FaceMesh::Cell);
   const JoinMemory& join = memory.join;
-  return bytesOf(memory.meshes) + bytesOf(memory.candidates) + bytesOf(join.entries) + bytesOf(join.vertexOf) +
+  std::size_t large = 0;
+  for (const auto& [face, kept] : memory.large) large += sizeof(LargeFace) + bytesOf(kept->points);
+  return large + bytesOf(memory.meshes) + bytesOf(memory.candidates) + bytesOf(join.entries) + bytesOf(join.vertexOf) +
          bytesOf(join.between) + bytesOf(join.equal) + join.vertexOf.size() * kPerPoint;
 }
 

@@ -101,6 +101,15 @@ std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, 
   return candidates_;
 }
 
+std::span<const ClearanceCandidate> ClearanceCandidates::findAmong(Index face, std::span<const Index> obstacles) {
+  begin(face);
+  mayLeaveOut_ = false;
+  isCoverSought_ = true;
+  for (const Index obstacle : obstacles) consider(obstacle);
+  sort();
+  return candidates_;
+}
+
 // What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
 // corners can be anywhere.
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const std::vector<Index>& known,

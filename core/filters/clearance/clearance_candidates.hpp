@@ -57,9 +57,13 @@ class ClearanceCandidates {
   /// The same as the first, of what overlaps `box` in the plan.
   std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
 
+  /// Those of `obstacles` that find() would find if there was nothing else.
+  std::span<const ClearanceCandidate> findAmong(Index face, std::span<const Index> obstacles);
+
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
   /// Whether the candidates lie so deep that looking what covers what pays. Depends on them alone, not on the search.
   [[nodiscard]] bool areCrowd() const { return crowding_->isCrowd(); }
+  [[nodiscard]] const Crowding& crowding() const { return *crowding_; }
   /// Whether the candidates were proven to cover the whole face. Depends on them alone, not on the search.
   [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
   /// Of a crowd with floors in the face's own plane, the cells that no obstacle covers alone; else null. All obstacles

@@ -390,7 +390,9 @@ bool ClearanceClipper::clipToFace(Index line, Place& first, Place& last, const C
     if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return false;
     if (a * b >= 0) continue;
     const Index p = geometry_.crossing(line, k);
-    geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k));
+    // As with keepPositive(): where both ends lie on another edge, what lies between them does.
+    const int both = geometry_.border(first.point) & geometry_.border(last.point);
+    geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k | both));
     (a < 0 ? first : last) = {p, -1, -1};
   }
   return true;

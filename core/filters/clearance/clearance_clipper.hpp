@@ -5,14 +5,34 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "core/assembly/assembly_memory.hpp"
 #include "core/filters/clearance/clearance_candidates.hpp"
 #include "core/filters/face_cutter.hpp"
 
 namespace footfall::detail {
+
+/// What is known of a face from before an edit, in numbers of the present mesh, and what the edit changed.
+struct EarlierCuts {
+  const FaceCuts& cuts;  ///< may name what went, within `changed`
+  const LargeFace& memory;
+  const std::vector<Index>& standing;  ///< what stood above it and still exists, ascending
+  const std::vector<Index>& added;     ///< the triangles that came, ascending
+  std::vector<Box> gone;               ///< of what stood above it and went, but for walls
+  std::array<Box, 2> changed;          ///< around all that went or came and may reach into the clearance above it
+};
+
+/// What becomes of it.
+struct UpdatedCuts {
+  FaceCuts cuts;
+  LargeFace memory;
+  std::vector<Index> standing;  ///< ascending
+};
 
 /// Clips one face after another; one object for each thread.
 class ClearanceClipper : private FaceCutter {
@@ -25,6 +45,13 @@ class ClearanceClipper : private FaceCutter {
 
   /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.
   FaceCuts clip(Index face, const std::vector<Index>& known, double knownHeight);
+
+  /// The same where earlier cuts are known and only a part of them can have changed. Empty where the face has to be
+  /// clipped as a whole.
+  std::optional<UpdatedCuts> update(Index face, const EarlierCuts& earlier);
+
+  /// What an update() needs of the cuts that clip() made last; null where there is little to gain.
+  [[nodiscard]] std::shared_ptr<const LargeFace> largeFace(const FaceCuts& cuts) const;
 
   /// The cuts on the part of a face that lies on the cell's sides, for a kernel that has their borders.
   FaceShare clipShare(Index face, std::span<const CellSide> sides);
@@ -41,6 +68,10 @@ class ClearanceClipper : private FaceCutter {
   std::function<void(double)> crowdProgress;
 
  private:
+  [[nodiscard]] std::vector<Index> standingNear(const EarlierCuts& earlier, const std::array<Box, 2>& around) const;
+  [[nodiscard]] std::optional<LargeFace> depthsNow(const EarlierCuts& earlier) const;
+  void mergeSegments(const EarlierCuts& earlier, const std::function<bool(Index)>& isHeld, FaceCuts& cuts,
+                     std::vector<ApproximatePoint>& points);
   /// False when one obstacle covers the whole face.
   bool clipAll(std::span<const ClearanceCandidate> candidates);
   bool clipOne(const ClearanceCandidate& candidate);

@@ -90,15 +90,51 @@ void ClearancePass::clip(Index face, Worker& own, const std::function<void(doubl
   if (then >= 0 && known_->sameClearance() && !known_->isTouched(face)) {
     cuts_->set(face, earlier_->cuts(then, own.copies_));
     memory_->candidates[face] = earlier_->candidates(then, own.copies_);
+    keepLarge(face, largeBefore(then));
     return;
   }
   isChanged_[face] = 1;
+  if (clipNearChanges(face, then, own)) return;
   own.clipper_.crowdProgress = progress;
   const FaceCuts cuts = known_->knowsAll(then)
-                            ? own.clipper_.clip(face, known_->standing(then, own.copies_), known_->clearance())
+                            ? own.clipper_.clip(face, known_->standing(face, then, own.copies_), known_->clearance())
                             : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr);
   if (!cuts.empty()) cuts_->set(face, keptIn(own.copies_, cuts));
-  if (memory_) keepCandidates(face, own.clipper_.candidates());
+  if (!memory_) return;
+  keepCandidates(face, own.clipper_.candidates());
+  keepLarge(face, own.clipper_.largeFace(cuts));
+}
+
+bool ClearancePass::clipNearChanges(Index face, Index faceBefore, Worker& own) {
+  if (!known_->knowsAll(faceBefore) || !known_->sameClearance()) return false;
+  const auto large = largeBefore(faceBefore);
+  if (!large) return false;
+  const CopyMemory copies = makeCopyMemory();
+  const auto cuts = earlier_->cuts(faceBefore, copies);
+  const auto known = earlier_->candidates(faceBefore, copies);
+  const std::vector<Index> standing(known->begin(), known->end());
+  EarlierCuts earlier{*cuts, *large, standing, earlier_->added(), {}, known_->changedAt(face)};
+  const SourceMesh& before = earlier_->state().kernel->mesh();
+  for (const Index gone : earlier_->gone(faceBefore))
+    if (before.facing[gone] != 0) earlier.gone.push_back(boxOf(before, gone));
+  auto updated = own.clipper_.update(face, earlier);
+  if (!updated) return false;
+  cuts_->set(face, keptIn(own.copies_, updated->cuts));
+  keepCandidates(face, std::move(updated->standing));
+  keepLarge(face, std::make_shared<const LargeFace>(std::move(updated->memory)));
+  return true;
+}
+
+std::shared_ptr<const LargeFace> ClearancePass::largeBefore(Index faceBefore) const {
+  const auto& large = earlier_->state().memory->large;
+  const auto found = large.find(faceBefore);
+  return found != large.end() ? found->second : nullptr;
+}
+
+void ClearancePass::keepLarge(Index face, std::shared_ptr<const LargeFace> large) {
+  if (!large) return;
+  const std::lock_guard lock(mutex_);
+  memory_->large[face] = std::move(large);
 }
 
 void ClearancePass::keepCandidates(Index face, std::vector<Index> found) {

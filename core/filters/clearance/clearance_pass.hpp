@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <span>
 #include <vector>
@@ -81,6 +82,11 @@ class ClearancePass {
 
  private:
   void keepCandidates(Index face, std::vector<Index> found);
+  void keepLarge(Index face, std::shared_ptr<const LargeFace> large);
+  /// What is remembered of a face under many obstacles, by its earlier number; or null.
+  [[nodiscard]] std::shared_ptr<const LargeFace> largeBefore(Index faceBefore) const;
+  /// False: the face must be clipped as a whole.
+  bool clipNearChanges(Index face, Index faceBefore, Worker& own);
 
   StatePtr state_;
   RunContext& context_;
@@ -95,6 +101,7 @@ class ClearancePass {
   std::shared_ptr<CutTable> cuts_;
   std::shared_ptr<FaceMeshes> meshes_;  ///< made by mesh()
   std::vector<char> isChanged_;
+  std::mutex mutex_;                                       ///< of what is remembered of large faces
   mutable std::vector<std::atomic<std::int8_t>> crowded_;  ///< -1: not known yet
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
 };

@@ -21,26 +21,38 @@ Crowding::Crowding(const SourceMesh& mesh, Index face) : mesh_(mesh), box_(boxOf
 void Crowding::restart(Index face) {
   box_ = boxOf(mesh_, face);
   few_.clear();
+  areas_ = 0;
   squares_ = 0;
+}
+
+void Crowding::restart(Index face, const Depths& depths, std::size_t areas) {
+  restart(face);
+  areas_ = areas;
+  depths_ = depths;
+  for (const std::uint64_t depth : depths_) squares_ += depth * depth;
 }
 
 double Crowding::commonArea(Index obstacle) const { return planArea(box_, boxOf(mesh_, obstacle)); }
 
 void Crowding::add(Index obstacle) {
   if (mesh_.facing[obstacle] == 0) return;
-  if (few_.size() == kFewest) {
-    count(obstacle);
+  if (++areas_ > kFewest) {
+    count(boxOf(mesh_, obstacle));
     return;
   }
   few_.push_back(obstacle);
-  if (few_.size() < kFewest) return;
+  if (areas_ < kFewest) return;
   depths_.fill(0);
-  for (const Index one : few_) count(one);
+  for (const Index one : few_) count(boxOf(mesh_, one));
 }
 
-void Crowding::count(Index obstacle) {
-  if (isCrowd()) return;  // it stays one, and sums do not overflow
-  const Box box = boxOf(mesh_, obstacle);
+void Crowding::remove(const Box& obstacle) {
+  --areas_;
+  count(obstacle, true);
+}
+
+void Crowding::count(const Box& box, bool isRemoved) {
+  if (isCrowd() && !isRemoved) return;  // it stays one, and sums do not overflow
   // Of each part of the face's box along an axis the share that the obstacle's box covers, and which have one.
   std::array<std::array<double, kParts>, 2> shares{};
   std::array<std::size_t, 2> first{}, last{};
@@ -60,6 +72,11 @@ void Crowding::count(Index obstacle) {
     for (std::size_t x = first[0]; x <= last[0]; ++x) {
       std::uint64_t& depth = depths_[y * kParts + x];
       const auto more = static_cast<std::uint64_t>(std::max(shares[0][x] * shares[1][y], 0.0) * kUnits);
+      if (isRemoved) {
+        depth -= more;
+        squares_ -= more * (2 * depth + more);
+        continue;
+      }
       squares_ += more * (2 * depth + more);
       depth += more;
     }

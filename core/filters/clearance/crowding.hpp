@@ -15,28 +15,40 @@ namespace footfall::detail {
 /// boxes lie above parts of it. In whole numbers, which are the same sum in any order.
 class Crowding {
  public:
+  static constexpr std::size_t kParts = 8;  ///< along each axis
+  /// How deep obstacles lie over each part of a face.
+  using Depths = std::array<std::uint64_t, kParts * kParts>;
+
   Crowding(const SourceMesh& mesh, Index face);
   /// Starts again above another face.
   void restart(Index face);
+  /// Starts again above another face with obstacles of which the depths are known: so many that are no walls.
+  void restart(Index face, const Depths& depths, std::size_t areas);
   void add(Index obstacle);
+  /// Takes an obstacle away that is no wall, where depths() are known.
+  void remove(const Box& obstacle);
+  /// Known of many obstacles that are no crowd; else null.
+  [[nodiscard]] const Depths* depths() const { return areas_ >= kFewest && !isCrowd() ? &depths_ : nullptr; }
+  /// How many obstacles were added that are no walls.
+  [[nodiscard]] std::size_t areas() const { return areas_; }
   /// Deep enough for looking what covers what to pay: 24 deep everywhere, or deeper in some part. More obstacles never
   /// make a crowd less of one.
-  [[nodiscard]] bool isCrowd() const { return few_.size() >= kFewest && squares_ >= kMostSquares; }
+  [[nodiscard]] bool isCrowd() const { return areas_ >= kFewest && squares_ >= kMostSquares; }
   /// What the boxes of face and obstacle have in common in the plan.
   [[nodiscard]] double commonArea(Index obstacle) const;
 
  private:
   static constexpr std::size_t kFewest = 64;
-  static constexpr std::size_t kParts = 8;          ///< along each axis
   static constexpr std::uint64_t kUnits = 1 << 10;  ///< of depth
   static constexpr std::uint64_t kMostSquares = kParts * kParts * (24 * kUnits) * (24 * kUnits);
 
-  void count(Index obstacle);
+  void count(const Box& obstacle, bool isRemoved = false);
 
   const SourceMesh& mesh_;
   Box box_;
   std::vector<Index> few_;  ///< the first; they are counted when there are enough of them
-  std::array<std::uint64_t, kParts * kParts> depths_{};
+  std::size_t areas_ = 0;
+  Depths depths_{};
   std::uint64_t squares_ = 0;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -47,11 +48,19 @@ class KnownCuts {
   [[nodiscard]] bool isTouched(Index face) const {
     return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance())));
   }
+  /// Around what came and went there.
+  [[nodiscard]] std::array<Box, 2> changedAt(Index face) const {
+    return earlier_->changedIn(clearanceBox(state_.kernel->mesh(), face, height_));
+  }
   /// All that may stand above a face within clearance().
-  [[nodiscard]] std::vector<Index> standing(Index faceBefore, const CopyMemory& copies) const {
-    const auto known = earlier_->candidates(faceBefore, copies);
-    std::vector<Index> result = earlier_->added();
-    if (known) result.insert(result.end(), known->begin(), known->end());
+  [[nodiscard]] std::vector<Index> standing(Index face, Index faceBefore, const CopyMemory& copies) const {
+    const SourceMesh& mesh = state_.kernel->mesh();
+    const Box above = clearanceBox(mesh, face, std::max(height_, clearance()));
+    std::vector<Index> result;
+    for (const Index t : earlier_->added())
+      if (overlap(boxOf(mesh, t), above)) result.push_back(t);
+    if (const auto known = earlier_->candidates(faceBefore, copies))
+      result.insert(result.end(), known->begin(), known->end());
     return result;
   }
   [[nodiscard]] bool sameClearance() const { return sameClearance_; }

@@ -13,6 +13,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
+#include "core/filters/rounding/known_places.hpp"
 #include "core/filters/rounding/placed_mesh.hpp"
 #include "core/filters/rounding/rounded_drops.hpp"
 #include "core/filters/rounding/rounded_links.hpp"
@@ -206,18 +207,26 @@ std::shared_ptr<NavigationMesh> numbered(const SettledMesh& settled, const std::
 }  // namespace
 
 std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, RunContext& context) {
+  std::shared_ptr<const RoundedPlaces> rounded;
+  return makeNavigationMesh(given, {}, rounded, context);
+}
+
+std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, const KnownPlaces& known,
+                                                         std::shared_ptr<const RoundedPlaces>& kept,
+                                                         RunContext& context) {
   ExactFallbacks fallbacks;
   const StatePtr state = withMesh(given, context, fallbacks);
   const WalkableMesh& mesh = *state->mesh;
-  std::vector<Vec3> places;
-  std::vector<char> exact;
+  const auto rounded = std::make_shared<RoundedPlaces>();
   SplitParts parts;
-  tbb::parallel_invoke([&] { places = roundVertices(*state->kernel, mesh.vertices, exact, context); },
+  tbb::parallel_invoke([&] { *rounded = roundVertices(*state->kernel, mesh.vertices, known, context); },
                        [&] {
                          parts = splitOf(mesh.triangles, mesh.layers, mesh.vertices.size(),
                                          *topologyOf(*state, Poll(context)), context);
                        });
-  const SettledMesh settled = settle(std::move(parts), places, exact, context);
+  const std::vector<Vec3>& places = rounded->places;
+  const SettledMesh settled = settle(std::move(parts), places, rounded->exact, context);
+  kept = rounded;
   const std::vector<Index> order = orderByLayer(settled.mesh);
   const auto& sources = state->kernel->mesh().inputTriangles;
   const auto result = numbered(settled, order, {sources.begin(), sources.end()}, context);
