@@ -135,13 +135,14 @@ class TileRun {
   }
 
   // Cells are tasks for whoever is free; their tiles are numbered in the order of the plan. Steps of progress are those
-  // from `begin` up to `end`.
+  // from `begin` up to `end`, as if all ranks were as fast as this one.
   void runPlan(const std::vector<FaceRange>& plan, std::size_t begin, std::size_t end) {
     std::vector<CellOutcome> own;
     std::uint64_t atGaps = 0;
     ranks_.beginTasks(plan.size());
     while (const std::optional<std::size_t> cell = ranks_.nextTask(context_)) {
-      context_.beginStep(begin + (end - begin) * *cell / plan.size(), "cell " + std::to_string(*cell + 1));
+      const std::size_t done = std::min(own.size() * static_cast<std::size_t>(ranks_.size()), plan.size());
+      context_.beginStep(begin + (end - begin) * done / plan.size(), "cell " + std::to_string(*cell + 1));
       own.push_back(runCell(*cell, plan[*cell], begin));
       atGaps += own.back().atGaps.floors.size();
       runner_.requireFloors(atGaps);  // they are one cell, beside which their list is nothing

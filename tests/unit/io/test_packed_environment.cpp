@@ -136,6 +136,33 @@ class TestPackedEnvironment : public QObject {
     }
   }
 
+  void blocksAreKeptAsLongAsTheyMay() {
+    const TemporaryFolder folder;
+    const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
+    packEnvironment(path, target, {}, nullptr);
+    const PackedEnvironment packed(target);
+    const auto readFor = [&](std::size_t block) {
+      const std::uint64_t before = packed.bytesRead();
+      static_cast<void>(packed.block(block));
+      return packed.bytesRead() - before;
+    };
+    const std::uint64_t first = packed.blocks()[0].size, second = packed.blocks()[1].size;
+    QVERIFY(first > 0 && second > 0);
+    packed.keepBlocks(first + second);
+    QCOMPARE(readFor(0), first);
+    QCOMPARE(readFor(1), second);
+    QCOMPARE(readFor(0), std::uint64_t{0});
+    QCOMPARE(readFor(1), std::uint64_t{0});
+    // The one that was wanted last stays.
+    QCOMPARE(readFor(0), std::uint64_t{0});
+    packed.keepBlocks(first);
+    QCOMPARE(readFor(0), std::uint64_t{0});
+    QCOMPARE(readFor(1), second);
+    QCOMPARE(readFor(0), first);
+    packed.forgetBlocks();
+    QCOMPARE(readFor(0), first);
+  }
+
   void damageIsToldInOneLine() {
     const TemporaryFolder folder;
     const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
