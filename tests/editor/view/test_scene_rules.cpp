@@ -4,6 +4,8 @@
 #include <QOpenGLExtraFunctions>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <tuple>
 
 #include "tests/editor/editor_driver.hpp"
 #include "ui/level/level_look.hpp"
@@ -128,6 +130,7 @@ class TestSceneRules : public QObject {
 
  private slots:
   void init() {
+    emptyLook_.reset();
     window_ = std::make_unique<EditorWindow>();
     window_->resize(1100, 760);
     QVERIFY(showWindow(*window_));
@@ -342,14 +345,8 @@ class TestSceneRules : public QObject {
   /// The depth of the picture at places all over it against that of what a click there hits; places with and without.
   std::pair<int, int> compareWithPicture(const QString& what) {
     const SceneParts parts = view().parts();
-    SceneParts none = parts;
-    none.environment = none.walkable = none.removed = false;
     const ViewMode mode = parts.mode;
-    view().setMode(ViewMode::Result);
-    view().setParts(none);
-    const QImage empty = view().grabFramebuffer();
-    view().setMode(mode);
-    view().setParts(parts);
+    const QImage& empty = emptyPicture();
     const QImage picture = view().grabFramebuffer();
     std::vector<float> depths(static_cast<std::size_t>(picture.width()) * static_cast<std::size_t>(picture.height()));
     view().makeCurrent();
@@ -393,6 +390,21 @@ class TestSceneRules : public QObject {
       }
     }
     return {some, nothing};
+  }
+  /// With nothing in it: the same for all modes and parts of one camera, heights and cut plane.
+  const QImage& emptyPicture() {
+    const auto look = std::tuple(view().sceneCamera(), view().heights(), view().cutPlane());
+    if (emptyLook_ == look) return empty_;
+    const SceneParts parts = view().parts();
+    SceneParts none = parts;
+    none.environment = none.walkable = none.removed = false;
+    view().setMode(ViewMode::Result);
+    view().setParts(none);
+    empty_ = view().grabFramebuffer();
+    emptyLook_ = look;
+    view().setMode(parts.mode);
+    view().setParts(parts);
+    return empty_;
   }
   static bool isLike(const QColor& a, const QColor& b) {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <= 3;
@@ -480,6 +492,8 @@ class TestSceneRules : public QObject {
   QTemporaryDir folder_;
   std::unique_ptr<EditorWindow> window_;
   LevelLook* look_ = nullptr;
+  QImage empty_;
+  std::optional<std::tuple<SceneCamera, HeightRange, std::optional<CutPlane>>> emptyLook_;
 };
 
 FOOTFALL_EDITOR_SUITE(TestSceneRules)
