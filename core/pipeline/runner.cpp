@@ -20,7 +20,8 @@ namespace {
 
 constexpr Pattern kAtPlace{"%1: %2"};
 
-// What steps over so many triangles free is given back, or it adds to the peaks of later ones.
+// What steps over so many triangles free is given back, or it adds to the peaks of later ones. The runs after an edit
+// need as much again at once.
 constexpr std::size_t kReturnedSize = std::size_t{1} << 19;
 
 // Everything that can be known to be wrong before the first step runs.
@@ -201,11 +202,13 @@ class Run {
   double makeStart() {
     const Stopwatch watch;
     guarded(FOOTFALL_TEXT("environment"), [&] {
-      current_.state = makeInitialState(environment_, context_, recall(0));
+      const Recall earlier = recall(0);
+      isEdited_ = earlier.before != nullptr;
+      current_.state = makeInitialState(environment_, context_, earlier);
       current_.summary = summarize(*current_.state);
     });
     remember();
-    if (environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
+    returnMemory();
     return watch.wallMs();
   }
 
@@ -233,7 +236,7 @@ class Run {
       statistics.out = current_.summary;
       current_.steps.push_back(std::move(statistics));
       remember();
-      if (environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
+      returnMemory();
       context_.endStep(context_.wantsParts() ? makePreviewMesh(*current_.state) : nullptr);
       (isBehindBlock(index) ? times_.postprocessing : times_.preprocessing) += watch.wallMs();
     });
@@ -310,6 +313,10 @@ class Run {
     return {cache_->findEarlier(environment_, steps_, count), true, false};
   }
 
+  void returnMemory() const {
+    if (!isEdited_ && environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
+  }
+
   void remember() {
     if (cache_ != nullptr) cache_->store(environment_, prefixKey(steps_, current_.steps.size()), current_);
   }
@@ -320,6 +327,7 @@ class Run {
   PrefixCache* cache_;
   std::vector<const PipelineStep*> steps_;  // the enabled ones
   CachedPrefix current_;
+  bool isEdited_ = false;  // there is the result of an environment that this one is an edit of
   int threads_;
   const Stopwatch& clock_;
   CellExchange* exchange_;

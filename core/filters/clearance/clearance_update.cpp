@@ -99,6 +99,29 @@ std::vector<PlacedPoint> merged(const std::vector<PlacedPoint>& then, const std:
   return result;
 }
 
+// Lines as they come: `lineOf` has those that segments name, numbered below `count`.
+template <class LineOf>
+void numberLines(FaceCuts& cuts, std::size_t count, const LineOf& lineOf) {
+  std::vector<Index> numbers(count, -1);
+  for (CutSegment& s : cuts.segments) {
+    Index& number = numbers[s.line];
+    if (number < 0) {
+      number = static_cast<Index>(cuts.lines.size());
+      cuts.lines.push_back(lineOf(s.line));
+    }
+    s.line = number;
+  }
+}
+
+// The points of some segments, along the curve.
+std::vector<Index> endsAlongCurve(const FaceGeometry& geometry, const std::vector<CutSegment>& segments) {
+  std::vector<Index> order;
+  for (const CutSegment& s : segments) order.insert(order.end(), {s.from, s.to});
+  sortOnce(order);
+  sortAlongCurve(geometry, order);
+  return order;
+}
+
 // For each line of the earlier cuts itself, or the number of the same one among the new lines, all behind them.
 std::vector<Index> sameLines(std::span<const PlanLine> then, const std::vector<std::pair<PlanLine, Index>>& now) {
   const auto keyOf = [](const PlanLine& l) { return std::tie(l.kind, l.a, l.b); };
@@ -216,11 +239,8 @@ void ClearanceClipper::mergeSegments(const EarlierCuts& earlier, const std::func
   for (std::size_t p = 0; p < needed.size(); ++p)
     if (needed[p] != 0)
       pointsThen.push_back({curve.of(earlier.memory.points[p]), &then.points[p], static_cast<Index>(p), -1});
-  std::vector<Index> order;
-  for (const CutSegment& s : segments_) order.insert(order.end(), {s.from, s.to});
-  sortOnce(order);
-  sortAlongCurve(geometry_, order);
-  for (const Index p : order) pointsNow.push_back({curve.of(geometry_.approximate(p)), &geometry_[p], -1, p});
+  for (const Index p : endsAlongCurve(geometry_, segments_))
+    pointsNow.push_back({curve.of(geometry_.approximate(p)), &geometry_[p], -1, p});
 
   std::vector<Index> numberThen(then.points.size(), -1), numberNow(geometry_.pointCount(), -1);
   for (const PlacedPoint& p : merged(pointsThen, pointsNow)) {
@@ -257,15 +277,9 @@ void ClearanceClipper::mergeSegments(const EarlierCuts& earlier, const std::func
   cuts.segments.resize(kept.size() + segments_.size());
   std::merge(kept.begin(), kept.end(), segments_.begin(), segments_.end(), cuts.segments.begin(), endsBefore);
 
-  std::vector<Index> numberOfLine(then.lines.size() + geometry_.lineCount(), -1);
-  for (CutSegment& s : cuts.segments) {
-    Index& number = numberOfLine[s.line];
-    if (number < 0) {
-      number = static_cast<Index>(cuts.lines.size());
-      cuts.lines.push_back(s.line < lineCount ? then.lines[s.line] : geometry_.lineAt(s.line - lineCount));
-    }
-    s.line = number;
-  }
+  cuts.lines.reserve(then.lines.size());
+  numberLines(cuts, then.lines.size() + geometry_.lineCount(),
+              [&](Index line) { return line < lineCount ? then.lines[line] : geometry_.lineAt(line - lineCount); });
 }
 
 }  // namespace footfall::detail
