@@ -67,10 +67,13 @@ int main(int argc, char** argv) {
   blockSignals();
   app::MpiProgram program;
   int code = kDone;
-  const auto fail = [&](ExitCode exitCode, const std::string& problem) {
-    if (program.fail(problem, exitCode == kWrongInput)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
+  const auto failAs = [&](ExitCode exitCode, detail::RankFailure kind, const std::string& problem) {
+    if (program.fail(problem, kind)) std::fprintf(stderr, "footfall-mpi: %s\n", problem.c_str());
     // mpirun ends with the code of whoever is first to have one.
     code = program.hasExitCode() ? exitCode : kDone;
+  };
+  const auto fail = [&](ExitCode exitCode, const std::string& problem) {
+    failAs(exitCode, exitCode == kWrongInput ? detail::RankFailure::Input : detail::RankFailure::Run, problem);
   };
   try {
     runCommandLine(argc, argv, program);
@@ -79,7 +82,8 @@ int main(int argc, char** argv) {
   } catch (const RunError& error) {
     fail(kRunFailed, error.what());
   } catch (const Cancelled&) {
-    fail(program.failedByInput() ? kWrongInput : kRunFailed, program.failure().value_or("cancelled"));
+    failAs(program.failedByInput() ? kWrongInput : kRunFailed, detail::RankFailure::Cancelled,
+           program.failure().value_or("cancelled"));
   } catch (const std::bad_alloc&) {
     fail(kRunFailed, "memory ran out; close other programs, use more machines or a smaller environment");
   } catch (const std::exception& error) {

@@ -171,10 +171,10 @@ void MpiProgram::drop() {
   while (!dropped_.empty()) dropped_.pop_back();
 }
 
-bool MpiProgram::fail(const std::string& problem, bool isInput) {
+bool MpiProgram::fail(const std::string& problem, RankFailure kind) {
   if (!exchange_) return transport_ ? writes() : isFirstByName();
   const bool wasStopped = exchange_->wasStopped();
-  exchange_->fail(problem, isInput);
+  exchange_->fail(problem, kind);
   drop();
   // Rank 0 tells, unless it is busy where it cannot be stopped: then this rank ends all, and has to say why.
   return (writes() || exchange_->isCutOff()) && !wasStopped;

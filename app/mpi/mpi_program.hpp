@@ -39,9 +39,8 @@ class MpiProgram : public RunProgram {
   /// Before MPI is there: whether this process is rank 0, by what started it. What is wrong with the options is told
   /// once.
   [[nodiscard]] static bool isFirstByName();
-  /// The command failed: tells the other ranks. `isInput`: what was given is wrong. Returns whether this process has to
-  /// tell the user.
-  bool fail(const std::string& problem, bool isInput);
+  /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
+  bool fail(const std::string& problem, detail::RankFailure kind);
   /// Which rank failed, and why, where that is what ended the run.
   [[nodiscard]] std::optional<std::string> failure() const;
   /// Whether it failed because what it was given is wrong.

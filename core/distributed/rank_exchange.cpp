@@ -84,7 +84,7 @@ void RankExchange::failHere(Failure failure) {
 
 void RankExchange::throwAs(const Failure& failure) {
   constexpr Pattern kProblem = FOOTFALL_TEXT("rank %1: %2");
-  if (failure.isInput) throw InputError(kProblem, failure.rank, failure.problem);
+  if (failure.kind == RankFailure::Input) throw InputError(kProblem, failure.rank, failure.problem);
   throw RunError(kProblem, failure.rank, failure.problem);
 }
 
@@ -101,7 +101,12 @@ std::optional<std::string> RankExchange::failure() const {
 
 bool RankExchange::failedByInput() const {
   const std::lock_guard lock(mutex_);
-  return failure_ && failure_->isInput;
+  return failure_ && failure_->kind == RankFailure::Input;
+}
+
+bool RankExchange::hasFailed() const {
+  const std::lock_guard lock(mutex_);
+  return failure_ && failure_->kind != RankFailure::Cancelled;
 }
 
 bool RankExchange::sendOutgoing() {
@@ -157,8 +162,8 @@ void RankExchange::handle(const Transport::Message& message) {
       break;
     }
     case Kind::Failed: {
-      const bool isInput = in.number() != 0;
-      failHere({message.from, std::string(in.rest()), isInput});
+      const auto kind = static_cast<RankFailure>(in.below(3));
+      failHere({message.from, std::string(in.rest()), kind});
       break;
     }
     case Kind::End: {
@@ -445,14 +450,14 @@ void RankExchange::end(RunContext& context) {
   close();
 }
 
-void RankExchange::fail(const std::string& problem, bool isInput) noexcept {
+void RankExchange::fail(const std::string& problem, RankFailure kind) noexcept {
   try {
     const std::lock_guard lock(mutex_);
     if (!isEnded_ && !isClosing_) {
       if (rank_ == 0)
         postToOthers(std::string(1, static_cast<char>(Kind::Stop)));
       else if (!isStopped_)
-        post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(isInput)} + problem);
+        post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(kind)} + problem);
     }
   } catch (const std::exception&) {
     // Without memory for a message the others hear of it when this rank says nothing more.

@@ -79,7 +79,7 @@ class RankExchange : public CellExchange, public RankGroup {
 
   [[nodiscard]] int rank() const override { return rank_; }
   [[nodiscard]] int size() const override { return size_; }
-  [[nodiscard]] bool hasFailed() const override { return failure().has_value(); }
+  [[nodiscard]] bool hasFailed() const override;
   std::vector<std::string> gather(std::string own, RunContext& context) override;
   std::string fromFirst(std::string own, RunContext& context) override;
   void beginTasks(std::size_t count) override;
@@ -90,9 +90,8 @@ class RankExchange : public CellExchange, public RankGroup {
   /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits until rank 0 says so. Throws
   /// RunError or Cancelled.
   void end(RunContext& context);
-  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled. `isInput`: what was
-  /// given is wrong.
-  void fail(const std::string& problem, bool isInput = false) noexcept;
+  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled.
+  void fail(const std::string& problem, RankFailure kind = RankFailure::Run) noexcept;
   /// True when another rank ended the run, which then has nothing to tell.
   [[nodiscard]] bool wasStopped() const;
   /// Which rank failed first, and why; none while none has.
@@ -109,7 +108,7 @@ class RankExchange : public CellExchange, public RankGroup {
   struct Failure {
     int rank = 0;
     std::string problem;
-    bool isInput = false;
+    RankFailure kind = RankFailure::Run;
   };
   struct Incoming {
     int from = -1;  ///< -1: the folder

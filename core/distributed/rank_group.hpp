@@ -13,6 +13,9 @@
 
 namespace footfall::detail {
 
+/// Why a rank ended a run: what it was given is wrong, it was cancelled, or anything else.
+enum class RankFailure : char { Run, Input, Cancelled };
+
 /// Ranks from 0 on. All of them call the same functions in the same order, each on one thread; but how often
 /// nextTask() is called between two others is for each rank to know. Functions that wait throw Cancelled, and what
 /// another rank failed by.
@@ -26,7 +29,7 @@ class RankGroup {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
   [[nodiscard]] bool isFirst() const { return rank() == 0; }
-  /// Whether another rank has failed; on rank 0.
+  /// Whether another rank has failed, and was not cancelled; on rank 0.
   [[nodiscard]] virtual bool hasFailed() const { return false; }
 
   /// Rank 0 returns what all gave, by rank; others return nothing, at once.

@@ -115,10 +115,10 @@ std::vector<std::string> runAsGroup(int ranks, const std::function<void(RankGrou
       exchange.end(context);
     } catch (const Cancelled&) {
       error = exchange.failure().value_or("cancelled");
-      exchange.fail(error);
+      exchange.fail(error, RankFailure::Cancelled);
     } catch (const InputError& problem) {
       error = problem.what();
-      exchange.fail(error, true);
+      exchange.fail(error, RankFailure::Input);
     } catch (const std::exception& problem) {
       error = problem.what();
       exchange.fail(error);
