@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/tile_command.hpp"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <filesystem>
@@ -37,22 +42,37 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
+/// A lock on a folder, for as long as the process has it. File systems that cannot lock folders refuse nobody.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
+    ::close(file_);
+    throw InputError("--output: another run is at work in " + folder.string() + "; wait for it, or give a new name");
+  }
+  ~FolderLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  int file_;
+};
+
 /// The folder of the tiles; where nothing comes of it, it becomes what it was.
 class TargetFolder {
  public:
   explicit TargetFolder(const std::string& path) : path_(path) {
     std::error_code error;
-    if (fs::exists(path_, error)) {
-      if (fs::exists(path_ / kUnfinishedRun, error)) {  // which the run goes on from
-        keep();
-        return;
-      }
-      if (!fs::is_directory(path_, error) || !fs::is_empty(path_, error))
-        throw InputError("--output: " + path + " is there already and is no empty folder; give a new name");
-      return;
-    }
     isMade_ = fs::create_directory(path_, error);
-    if (!isMade_) throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
+    if (!isMade_ && !fs::exists(path_))
+      throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
+    if (isMade_ || fs::is_directory(path_, error)) lock_.emplace(path_);
+    if (isMade_) return;
+    isKept_ = hasUnfinished(path);  // the run goes on from there
+    if (!isKept_ && (!fs::is_directory(path_, error) || !fs::is_empty(path_, error)))
+      throw InputError("--output: " + path + " is there already and is no empty folder; give a new name");
   }
   ~TargetFolder() {
     if (isKept_) return;
@@ -68,6 +88,7 @@ class TargetFolder {
  private:
   fs::path path_;
   bool isMade_ = false, isKept_ = false;
+  std::optional<FolderLock> lock_;
 };
 
 /// A file that is only there for this run.
@@ -191,22 +212,22 @@ std::string summaryOf(const TileCommandOptions& options, const TileRunResult& re
 }
 
 /// Nothing but tiles and their index goes into their folder.
-void checkOutside(const std::string& statistics, const std::string& folder) {
-  namespace fs = std::filesystem;
-  if (statistics.empty()) return;
+void checkOutside(const std::string& path, const std::string& folder, Pattern problem) {
+  if (path.empty()) return;
   std::error_code ignored;
-  const fs::path file = fs::weakly_canonical(fs::absolute(statistics), ignored);
+  const fs::path file = fs::weakly_canonical(fs::absolute(path), ignored);
   const fs::path tiles = fs::weakly_canonical(fs::absolute(folder), ignored);
-  if (file == tiles || file.parent_path() == tiles)
-    throw InputError(FOOTFALL_TEXT("--stats %1: this is in the folder of the tiles; name a file elsewhere"),
-                     statistics);
+  if (file == tiles || file.parent_path() == tiles) throw InputError(problem, path);
 }
 
 /// What rank 0 sees to before anything runs. Returns the folder.
 std::shared_ptr<TargetFolder> makeTarget(const TileCommandOptions& options) {
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   checkEnding(options.statistics, "--stats", ".json");
-  checkOutside(options.statistics, options.folder);
+  checkOutside(options.statistics, options.folder,
+               FOOTFALL_TEXT("--stats %1: this is in the folder of the tiles; name a file elsewhere"));
+  checkOutside(options.environment.path, options.folder,
+               FOOTFALL_TEXT("%1: this is in the folder of the tiles; move it, or give the tiles another folder"));
   targets.add(options.statistics, Pattern{"the statistics"});
   return std::make_shared<TargetFolder>(options.folder);
 }

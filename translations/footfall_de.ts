@@ -1751,6 +1751,10 @@
         <source>%1: has a run that did not end, of another environment, other filters or another bound; remove the folder, or give a new name</source>
         <translation>%1: enthält einen Lauf, der nicht zu Ende ging, mit einer anderen Umgebung, anderen Filtern oder einer anderen Grenze; entfernen Sie den Ordner, oder geben Sie einen neuen Namen an</translation>
     </message>
+    <message>
+        <source>%1: this is in the folder of the tiles; move it, or give the tiles another folder</source>
+        <translation>%1: das liegt im Ordner der Kacheln; die Datei verschieben oder den Kacheln einen anderen Ordner geben</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>

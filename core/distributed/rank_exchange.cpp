@@ -83,6 +83,7 @@ void RankExchange::failHere(Failure failure) {
 }
 
 void RankExchange::throwAs(const Failure& failure) {
+  if (failure.kind == RankFailure::Cancelled) throw Cancelled();
   constexpr Pattern kProblem = FOOTFALL_TEXT("rank %1: %2");
   if (failure.kind == RankFailure::Input) throw InputError(kProblem, failure.rank, failure.problem);
   throw RunError(kProblem, failure.rank, failure.problem);

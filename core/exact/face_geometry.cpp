@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "core/exact/filtered_turn.hpp"
 #include "core/exact/plan_predicates.hpp"
@@ -37,10 +38,7 @@ void FaceGeometry::start(Index face) {
   exact_.clear();
   size_ = error_ = 0;
   surely_ = kernel_.sign().slack;
-  if (sources_.size() < mesh.vertices.size() || ++filling_ == 0) {
-    sources_.assign(mesh.vertices.size(), {});
-    filling_ = 1;
-  }
+  if (sourceCount_ < mesh.vertices.size() || ++filling_ == 0) forgetSources();
   for (int k = 0; k < 3; ++k) {
     const Index p = sourcePoint(mesh.planIds[corners[k]]);
     addBorder(p, static_cast<std::uint8_t>((1 << k) | (1 << ((k + 2) % 3))));
@@ -51,6 +49,13 @@ void FaceGeometry::start(Index face) {
     edgeLine(a, b);
     edgeDirection_[k] = a < b ? 1 : -1;
   }
+}
+
+void FaceGeometry::forgetSources() {
+  sourceCount_ = kernel_.mesh().vertices.size();
+  sources_.reset(static_cast<SourceSlot*>(std::calloc(sourceCount_, sizeof(SourceSlot))));
+  if (!sources_) throw std::bad_alloc();
+  filling_ = 1;
 }
 
 Index FaceGeometry::sourcePoint(Index planId) {

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdlib>
+#include <memory>
 #include <vector>
 
 #include "core/base/numbered_table.hpp"
@@ -71,9 +73,13 @@ class FaceGeometry {
   };
   /// Source vertices are found by their number: slots carry that of the face that they were filled for.
   struct SourceSlot {
-    std::uint32_t filling = 0;
-    Index point = -1;
+    std::uint32_t filling;
+    Index point;
   };
+  struct Free {
+    void operator()(SourceSlot* all) const { std::free(all); }
+  };
+  void forgetSources();
   struct Line {
     std::array<ErrorDouble, 3> coefficients;  ///< once hasCoefficients
     Index exact = -1;                         ///< in exact_
@@ -94,8 +100,9 @@ class FaceGeometry {
   Index face_ = -1;
   Index origin_ = -1;
   std::array<int, 3> edgeDirection_{};
-  NumberedTable<PlanPoint> points_;  ///< only those that are no source vertices are found by their key
-  std::vector<SourceSlot> sources_;  ///< for each plan id
+  NumberedTable<PlanPoint> points_;              ///< only those that are no source vertices are found by their key
+  std::unique_ptr<SourceSlot[], Free> sources_;  ///< for each plan id; zeros, of which pages come as they are used
+  std::size_t sourceCount_ = 0;
   std::uint32_t filling_ = 0;
   NumberedTable<PlanLine> lines_;
   std::vector<Place> places_;

@@ -19,7 +19,8 @@ MeshVertex liftedVertex(const PlanKernel& kernel, Index face, const PlanPoint& p
   const auto& n = mesh.normals[face];
   const ErrorDouble x(approximate.x, approximate.error), y(approximate.y, approximate.error);
   const ErrorDouble gx = x + ErrorDouble(origin.x), gy = y + ErrorDouble(origin.y);
-  const bool isLevel = n[0].value == 0 && n[0].error == 0 && n[1].value == 0 && n[1].error == 0;
+  const bool isLevel =
+      kernel.sign().zeroValid && n[0].value == 0 && n[0].error == 0 && n[1].value == 0 && n[1].error == 0;
   const ErrorDouble gz = isLevel ? ErrorDouble(origin.z) : ErrorDouble(origin.z) - (n[0] * x + n[1] * y) / n[2];
   MeshVertex vertex{point, face, -1, gx.value, gy.value, gz.value, 0};
   vertex.error = std::max({gx.error, gy.error, gz.error});

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <fstream>
 #include <system_error>
 #include <utility>
 
@@ -47,18 +48,21 @@ constexpr const char* kCell = "cell-";         // tiles and outcomes of cells be
 constexpr const char* kOutcome = ".cell";      // and outcomes end with that
 constexpr const char* kBeside = ".footfall-";  // what a process that was killed had not renamed yet
 
-// Files that begin so, but for some.
-void removeFiles(const std::string& folder, const std::vector<std::string>& beginnings,
-                 const std::vector<std::string>& kept = {}) {
+bool isTile(const std::string& name) { return name.starts_with(kTile) && name.ends_with(kTileExtension); }
+
+bool isOfCell(const std::string& name) {
+  return name.starts_with(kCell) && (name.ends_with(kTileExtension) || name.ends_with(kOutcome));
+}
+
+bool isBeside(const std::string& name) { return name.starts_with(kBeside); }
+
+// Of what can be seen of the folder.
+template <class IsGone>
+void removeFiles(const std::string& folder, const IsGone& isGone) {
   std::error_code error;
   std::vector<fs::path> gone;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const auto begins = [&name](const std::string& beginning) { return name.starts_with(beginning); };
-    if (std::any_of(beginnings.begin(), beginnings.end(), begins) &&
-        std::find(kept.begin(), kept.end(), name) == kept.end())
-      gone.push_back(entry.path());
-  }
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
+    if (isGone(at->path().filename().string())) gone.push_back(at->path());
   for (const fs::path& path : gone) fs::remove(path, error);
 }
 
@@ -115,7 +119,7 @@ bool TileFolder::begin(const std::string& what) {
       throw InputError(FOOTFALL_TEXT("%1: has a run that did not end, of another environment, other filters or another "
                                      "bound; remove the folder, or give a new name"),
                        folder_);
-    removeFiles(folder_, {kTile, kTileIndex, kBeside});
+    removeFiles(folder_, [](const std::string& name) { return isTile(name) || name == kTileIndex || isBeside(name); });
     return true;
   }
   written_.emplace_back(kUnfinishedRun);
@@ -164,13 +168,26 @@ void TileFolder::finish(TileSet& set) {
   written_.emplace_back(kTileIndex);
   writeFileSafely(pathOf(kTileIndex), formatTileIndex(set));
   written_.clear();
-  removeFiles(folder_, {kTile, kCell, kSeenByRanks, kPackedForRun}, kept);
+  removeFiles(folder_, [&kept](const std::string& name) {
+    return isOfCell(name) || name == kSeenByRanks || name == kPackedForRun ||
+           (isTile(name) && std::find(kept.begin(), kept.end(), name) == kept.end());
+  });
   std::error_code ignored;
   fs::remove(pathOf(kUnfinishedRun), ignored);
 }
 
 void removeUnfinished(const std::string& folder) {
-  removeFiles(folder, {kTile, kCell, kTileIndex, kBeside, kUnfinishedRun, kSeenByRanks, kPackedForRun});
+  removeFiles(folder, [](const std::string& name) {
+    return isTile(name) || isOfCell(name) || isBeside(name) || name == kTileIndex || name == kUnfinishedRun ||
+           name == kSeenByRanks || name == kPackedForRun;
+  });
+}
+
+bool hasUnfinished(const std::string& folder) {
+  std::ifstream file(fs::path(folder) / kUnfinishedRun, std::ios::binary);
+  std::string start(256, '\0');
+  file.read(start.data(), static_cast<std::streamsize>(start.size()));
+  return beginsAsTileIndex(start);
 }
 
 }  // namespace footfall::detail

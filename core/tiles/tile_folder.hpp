@@ -51,6 +51,9 @@ class TileFolder : public TileStore {
   bool goesOn_ = false, leavesUnfinished_ = false;
 };
 
+/// Whether a run that did not end left the folder.
+[[nodiscard]] bool hasUnfinished(const std::string& folder);
+
 /// Removes what a run that did not end left in its folder. No other process may be at work there.
 void removeUnfinished(const std::string& folder);
 

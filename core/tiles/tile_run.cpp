@@ -141,7 +141,7 @@ class TileRun {
     std::uint64_t atGaps = 0;
     ranks_.beginTasks(plan.size());
     while (const std::optional<std::size_t> cell = ranks_.nextTask(context_)) {
-      const std::size_t done = std::min(own.size() * static_cast<std::size_t>(ranks_.size()), plan.size());
+      const std::size_t done = std::min(own.size() * static_cast<std::size_t>(ranks_.size()), plan.size() - 1);
       context_.beginStep(begin + (end - begin) * done / plan.size(), "cell " + std::to_string(*cell + 1));
       own.push_back(runCell(*cell, plan[*cell], begin));
       atGaps += own.back().atGaps.floors.size();
@@ -169,7 +169,7 @@ class TileRun {
   }
 
   // What a run that was killed left of a cell.
-  std::optional<CellOutcome> keptCell(const std::string& name, std::size_t cell) {
+  std::optional<CellOutcome> keptCell(const std::string& name, std::size_t cell) try {
     const std::string bytes = store_.keptCell(name);
     if (bytes.empty()) return std::nullopt;
     std::vector<CellOutcome> outcomes;
@@ -180,6 +180,8 @@ class TileRun {
       if (!piece.written.empty() && !store_.has(piece.written)) return std::nullopt;
     ++takenOver_;
     return std::move(outcomes[0]);
+  } catch (const BadBytes&) {  // of another build: the cell runs again
+    return std::nullopt;
   }
 
   // Cells that ran before have a tile each, which the first piece replaces.

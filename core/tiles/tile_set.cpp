@@ -120,6 +120,12 @@ TileEntry writeTile(const std::string& folder, const std::string& file, const Ti
   return entry;
 }
 
+bool beginsAsTileIndex(std::string_view text) {
+  const std::string whole = formatTileIndex({});
+  const std::size_t end = whole.find(kFormat) + std::string_view(kFormat).size();
+  return text.substr(0, end) == std::string_view(whole).substr(0, end);
+}
+
 std::string formatTileIndex(const TileSet& set) {
   Json json;
   json["format"] = kFormat;

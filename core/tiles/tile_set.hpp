@@ -51,6 +51,8 @@ TileEntry writeTile(const std::string& folder, const std::string& file, const Ti
 
 /// JSON. The same set gives the same text.
 std::string formatTileIndex(const TileSet& set);
+/// Whether a text begins as all indices do.
+bool beginsAsTileIndex(std::string_view text);
 
 /// Throws InputError "PATH: what; what to do" where the folder has no index or it is none, and Cancelled.
 TileSet readTileIndex(const std::string& folder, RunContext* context);

@@ -162,6 +162,7 @@ std::optional<LargeFace> ClearanceClipper::depthsNow(const EarlierCuts& earlier)
   crowding.restart(face_, earlier.memory.depths, earlier.memory.areas);
   if (earlier.gone.size() >= crowding.areas()) return std::nullopt;
   for (const Box& box : earlier.gone) crowding.remove(box);
+  if (crowding.depths() == nullptr) return std::nullopt;  // adding to so few begins anew
   for (const ClearanceCandidate& candidate : candidates_.found())
     if (!isIn(earlier.standing, candidate.obstacle)) crowding.add(candidate.obstacle);
   if (crowding.depths() == nullptr) return std::nullopt;

@@ -139,6 +139,39 @@ class TestCutsNearChanges : public QObject {
     }
   }
 
+  // Among many walls there are just so few areas that depths are known or not.
+  void depthsAreKnownOfEnoughAreas() {
+    Obstacles random(3);
+    Soup soup;
+    soup.triangle({0, 0, 0}, {kSize, 0, 0}, {kSize, kSize, 0});
+    const auto addSlab = [&](Soup& to) {
+      const double x = 8 + random.below(kSize - 10), y = random.below(6);
+      to.triangle({x, y, 1}, {x + 1, y, 1}, {x, y + 1, 1});
+    };
+    for (int i = 0; i < 200; ++i) {
+      const double x = 8 + i % 20, y = 0.5 + 0.25 * static_cast<int>(i / 20);
+      soup.triangle({x, y, 0}, {x + 0.5, y, 0}, {x, y, 1});
+    }
+    for (int i = 0; i < 60; ++i) addSlab(soup);
+    EditableEnvironment editable(soup.environment());
+    ResultCache cache;
+    cutState(editable.environment(), cache);
+    Soup first;
+    addSlab(first);
+    const ObstacleId id = editable.add(soupFor(first));
+    int known = 0;
+    for (int i = 0; i < 60; ++i) {
+      Soup next;
+      for (int k = 3 + random.below(4); k > 0; --k) addSlab(next);
+      editable.replace(id, soupFor(next));
+      ResultCache none;
+      const int floors = compare(cutState(editable.environment(), cache), cutState(editable.environment(), none));
+      QVERIFY2(floors >= 0, qPrintable(QString::number(i)));
+      known += floors;
+    }
+    QVERIFY(known > 10 && known < 60);
+  }
+
   // What comes covers a giant, makes it a crowd's floor, or stands on the whole of an edge; what goes gives it back.
   void giantsThatAreCoveredAndFreed() {
     Obstacles obstacles(7);

@@ -1,6 +1,11 @@
 // `footfall run --memory` and `footfall join` as a user runs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <QDir>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -48,6 +53,7 @@ class TestTileCommands : public QObject {
   void slicesAreJoined();
   void stepsAreLinked();
   void whatCannotBeIsRefused();
+  void nothingOfOthersIsTouched();
   void damagedTilesAreRefused();
 };
 
@@ -291,6 +297,36 @@ void TestTileCommands::whatCannotBeIsRefused() {
   const Outcome taken = runProgram(run + kPipeline);
   QVERIFY2(taken.exitCode == 2 && taken.err.contains("is no empty folder"), taken.err);
   QCOMPARE(entriesOf(tiles), QStringList{"mine.txt"});
+}
+
+// Where another run is at work, where somebody has a file of the same name, and where the environment lies.
+void TestTileCommands::nothingOfOthersIsTouched() {
+  const QTemporaryDir folder;
+  const QString target = folder.filePath("tiles");
+  QVERIFY(QDir().mkdir(target));
+  const auto run = [&](const QString& environment) {
+    return runProgram(QStringList{"run", environment, "--memory", "1G", "-o", target, "--quiet"} + kPipeline);
+  };
+  const int lock = ::open(target.toLocal8Bit().constData(), O_RDONLY | O_DIRECTORY);
+  QVERIFY(lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) == 0);
+  const Outcome locked = run(sample("house"));
+  QVERIFY2(locked.exitCode == 2 && locked.err.contains("another run is at work in"), locked.err);
+  QCOMPARE(entriesOf(target), QStringList());
+  ::close(lock);
+
+  QFile own(QDir(target).filePath("unfinished"));
+  QVERIFY(own.open(QFile::WriteOnly) && own.write("chapters two and three\n") > 0);
+  own.close();
+  const Outcome taken = run(sample("house"));
+  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is no empty folder"), taken.err);
+  QCOMPARE(entriesOf(target), QStringList{"unfinished"});
+  QVERIFY(own.remove());
+
+  const QString packed = QDir(target).filePath("environment.ffenv");
+  QCOMPARE(runProgram({"pack", sample("house"), "-o", packed, "--quiet"}).exitCode, 0);
+  const Outcome inside = run(packed);
+  QVERIFY2(inside.exitCode == 2 && inside.err.contains("this is in the folder of the tiles"), inside.err);
+  QCOMPARE(entriesOf(target), QStringList{"environment.ffenv"});
 }
 
 void TestTileCommands::damagedTilesAreRefused() {

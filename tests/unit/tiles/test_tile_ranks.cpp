@@ -65,6 +65,7 @@ class TestTileRanks : public QObject {
   void aRunThatWasKilledGoesOn_data();
   void aRunThatWasKilledGoesOn();
   void wrongInputIsToldAsSuch();
+  void whoWaitsIsCancelledWithTheOthers();
   void cellsOfAPlanAreAlike();
 };
 
@@ -245,6 +246,29 @@ void TestTileRanks::wrongInputIsToldAsSuch() {
     }
   });
   QVERIFY(wasInput);
+}
+
+// Then the folder stays for the next run; after a failure it does not.
+void TestTileRanks::whoWaitsIsCancelledWithTheOthers() {
+  for (const bool isTask : {false, true}) {
+    std::atomic<bool> wasCancelled = false;
+    runAsGroup(2, [&](RankGroup& group, RunContext& context) {
+      if (isTask) group.beginTasks(2);
+      if (!group.isFirst()) {
+        if (isTask) group.nextTask(context);
+        throw Cancelled();
+      }
+      try {
+        while (isTask && group.nextTask(context)) {
+        }
+        group.gather({}, context);
+      } catch (const Cancelled&) {
+        wasCancelled = !group.hasFailed();
+        throw;
+      }
+    });
+    QVERIFY(wasCancelled);
+  }
 }
 
 void TestTileRanks::cellsOfAPlanAreAlike() {
