@@ -135,9 +135,8 @@ CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
               "--memory", options.memory,
               "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), each "
               "process by itself, and write tiles into the folder OUT, for `footfall join`. For pipelines of local "
-              "filters, which a "
-              "StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, as in the "
-              "default pipeline")
+              "filters, which a StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, "
+              "as in the default pipeline")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   command

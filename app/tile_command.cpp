@@ -64,9 +64,9 @@ class FolderLock {
 class TargetFolder {
  public:
   explicit TargetFolder(const std::string& path) : path_(path) {
-    std::error_code error;
+    std::error_code error, ignored;
     isMade_ = fs::create_directory(path_, error);
-    if (!isMade_ && !fs::exists(path_))
+    if (!isMade_ && !fs::exists(path_, ignored))
       throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
     if (isMade_ || fs::is_directory(path_, error)) lock_.emplace(path_);
     if (isMade_) return;
