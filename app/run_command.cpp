@@ -9,6 +9,7 @@
 #include "app/export_options.hpp"
 #include "app/run_program.hpp"
 #include "app/tile_command.hpp"
+#include "core/base/background_release.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
@@ -64,6 +65,7 @@ void printNotes(const Environment& environment, const Pipeline& pipeline, Comman
 
 /// Returns the summary for stdout, empty when quiet.
 std::string runAndExport(const RunOptions& options, CommandSession& session, RunProgram& program) {
+  keepFreedMemory();
   const Stopwatch total;
   ProgramTimes times;
   const WriteTargets targets = program.writes() ? checkTargets(options) : WriteTargets();

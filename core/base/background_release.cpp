@@ -3,6 +3,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <limits>
 #include <mutex>
 #include <thread>
 #ifdef __GLIBC__
@@ -62,6 +63,16 @@ void releaseInBackground(std::shared_ptr<const void> thing) noexcept {
 void returnFreedMemory() noexcept {
 #ifdef __GLIBC__
   malloc_trim(0);
+#endif
+}
+
+void keepFreedMemory() noexcept {
+#ifdef __GLIBC__
+  constexpr int kLargestKept = 32 << 20;  // more than that glibc does not take for a threshold
+  constexpr int kGrowth = 4 << 20;
+  mallopt(M_MMAP_THRESHOLD, kLargestKept);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, kGrowth);
 #endif
 }
 

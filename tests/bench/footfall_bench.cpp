@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "core/base/background_release.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 #include "tests/bench/benchmark.hpp"
@@ -101,6 +102,7 @@ void runProgramWith(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  footfall::detail::keepFreedMemory();  // as `footfall run` does
   try {
     runProgramWith(argc, argv);
     return 0;

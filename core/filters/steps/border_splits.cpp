@@ -14,6 +14,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
+constexpr std::size_t kSplitsPolled = 1024;
 
 }  // namespace
 
@@ -61,7 +62,9 @@ void BorderSplits::findBorders(const std::vector<char>* faces, Poll poll) {
     count += sides.size();
   }
   borders_.reserve(count);
-  for (const Index e : edges) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i % kPolled == 0) poll();
+    const Index e = edges[i];
     for (const Index side : topology_->sidesOf(e)) {
       const Index face = mesh_.triangles[side / 3].face;
       if (faces != nullptr && (*faces)[face] == 0) continue;
@@ -204,6 +207,7 @@ std::shared_ptr<WalkableMesh> BorderSplits::makeMesh(Poll poll) {
   std::vector<EdgeVertices> on;  // of triangles that are split
   std::vector<Index> slotOf(mesh_.triangles.size(), -1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (i % kSplitsPolled == 0) poll();
     const auto sides = topology_->sidesOf(edges[i]);
     auto& [forward, backward] = inside[i];
     Line& line = lines_.find(edges[i])->second;

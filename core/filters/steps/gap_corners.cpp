@@ -14,6 +14,7 @@ namespace {
 
 /// A search ends after so many triangles: then a link stays that may not be needed.
 constexpr std::size_t kMostTriangles = 256;
+constexpr std::size_t kPolled = 1024;
 
 struct PlanSegment {
   double fromX = 0, fromY = 0, toX = 0, toY = 0;
@@ -31,13 +32,18 @@ PlanSegment between(const MeshVertex& a, const MeshVertex& b) { return {a.x, a.y
 class Neighbourhood {
  public:
   Neighbourhood(const std::vector<GapStretch>& gaps, const std::vector<StepStretch>& steps, const BorderSplits& splits,
-                double reach)
+                double reach, Poll poll)
       : splits_(splits), reach_(reach), borderAt_(3 * splits.mesh().triangles.size(), -1) {
     const auto count = static_cast<Index>(splits.borders().size());
     for (Index number = 0; number < count; ++number) borderAt_[splits.border(number).side] = number;
-    for (const StepStretch& step : steps) add(step.first, step.second, between(step.begin, step.end));
-    for (const GapStretch& gap : gaps)
-      if (!gap.piece.corner) add(gap);
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+      if (i % kPolled == 0) poll();
+      add(steps[i].first, steps[i].second, between(steps[i].begin, steps[i].end));
+    }
+    for (std::size_t i = 0; i < gaps.size(); ++i) {
+      if (i % kPolled == 0) poll();
+      if (!gaps[i].piece.corner) add(gaps[i]);
+    }
   }
 
   void add(const GapStretch& gap) {
@@ -107,10 +113,11 @@ class Neighbourhood {
 }  // namespace
 
 void removeNeedlessCorners(std::vector<GapStretch>& gaps, const std::vector<StepStretch>& steps,
-                           const BorderSplits& splits, double gap) {
+                           const BorderSplits& splits, double gap, Poll poll) {
   const auto isAtCorner = [](const GapStretch& stretch) { return stretch.piece.corner.has_value(); };
   if (std::none_of(gaps.begin(), gaps.end(), isAtCorner)) return;
-  Neighbourhood neighbourhood(gaps, steps, splits, std::ldexp(2 * gap, splits.kernel()->mesh().grid.scaleExponent()));
+  const double reach = std::ldexp(2 * gap, splits.kernel()->mesh().grid.scaleExponent());
+  Neighbourhood neighbourhood(gaps, steps, splits, reach, poll);
   std::vector<std::size_t> corners;  // the longest first
   for (std::size_t i = 0; i < gaps.size(); ++i)
     if (isAtCorner(gaps[i])) corners.push_back(i);
@@ -119,6 +126,7 @@ void removeNeedlessCorners(std::vector<GapStretch>& gaps, const std::vector<Step
                    [&](std::size_t a, std::size_t b) { return lengthOf(a) > lengthOf(b); });
   std::vector<char> isNeedless(gaps.size(), 0);
   for (const std::size_t i : corners) {
+    poll();
     isNeedless[i] = neighbourhood.joins(gaps[i]) ? 1 : 0;
     if (isNeedless[i] == 0) neighbourhood.add(gaps[i]);
   }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/geometry.hpp"
+#include "core/exact/plan_places.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 
 namespace footfall::detail {
@@ -242,7 +243,7 @@ void GapLinker::makeCuts(const std::vector<Cut>& cuts, const Spread& spread) {
     for (const Vec3& p : cut.line) places.push_back({p.x, p.y, anywhere});
   auto mesh = std::make_shared<SourceMesh>(before.mesh());
   if (!mesh->withoutPlaces) mesh->withoutPlaces = before.sharedMesh();
-  const std::vector<Index> ids = addPlanPlaces(*mesh, places);
+  const std::vector<Index> ids = addPlanPlaces(*mesh, places, context_);
   splits_.replaceKernel(std::make_shared<PlanKernel>(std::move(mesh), before.heights(), before.borders()));
   std::vector<Index> changed;
   for (std::size_t i = 0; i < cuts.size(); ++i) {

@@ -22,6 +22,7 @@ using Bounds = BoxTree<3>::Bounds;
 
 constexpr Index kBordersPerTask = 64;
 constexpr Index kDirectionsPerTask = 8192;
+constexpr std::size_t kPolled = 1024;
 
 }  // namespace
 
@@ -50,7 +51,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height,
   if (gap > 0 || hasGaps) gaps_.emplace(splits_, gap, context_);
   StepFindings found = findStretches({step, height}, gap);
   if (memory != nullptr) *memory = {state_.mesh, step, height, gap, splits_.borders(), found};
-  removeNeedlessCorners(found.gaps, found.stretches, splits_, gap);
+  removeNeedlessCorners(found.gaps, found.stretches, splits_, gap, context_);
   undecided_ += found.undecided.size();
   stretches_ = std::move(found.stretches);
   if (gaps_) gaps_->add(std::move(found.gaps));
@@ -168,6 +169,7 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
     append(all.gaps, worker.found.gaps);
     append(all.undecided, worker.found.undecided);
   }
+  context_.checkCancelled();
   const auto isBefore = [](const auto& a, const auto& b) {
     return std::array{a.first, a.second} < std::array{b.first, b.second};
   };
@@ -285,6 +287,7 @@ void StepLinker::addGap(Index first, Index second, const WalkableMesh& earlier, 
 void StepLinker::splitAtSteps() {
   std::vector<Index> changed;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
+    if (i % kPolled == 0) context_.checkCancelled();
     const Stretch& s = stretches_[i];
     for (const Index number : {s.first, s.second}) {
       const Index edge = splits_.border(number).edge;
