@@ -58,6 +58,7 @@ SlurmdLogFile=${work}/slurmd-%n.log
 TmpFS=${work}/tmp-%n
 ProctrackType=proctrack/pgid
 TaskPlugin=task/none
+SchedulerParameters=batch_sched_delay=0
 SelectType=select/cons_tres
 SelectTypeParameters=CR_Core
 SlurmdParameters=config_overrides
@@ -97,21 +98,29 @@ steps=(--filter "SortedRecursiveStrategy 50 6 true" --filter "SlopeFilter 45" --
 sample="${FOOTFALL_SAMPLES}/docks/docks.obj"
 "${FOOTFALL}" run "${sample}" "${steps[@]}" --quiet -o "${work}/one.obj"
 
-# submit OPTION... -- ARGUMENT...: on both machines; waits.
+# submit ARGUMENT...: on both machines; prints the job's number.
 submit() {
-  local options=()
-  while [ "$1" != -- ]; do
-    options+=("$1")
-    shift
+  timeout --kill-after 10 300 sbatch --parsable --nodes 2 --chdir "${work}" --output "${work}/job-%j" "${job}" "$@"
+}
+# run_job ARGUMENT...: the same, and waits for the job; returns its exit code. (sbatch --wait looks 2, 8, 32 s later.)
+run_job() {
+  local id told
+  id="$(submit "$@")" || return $?
+  for ((i = 0; i < 1500; ++i)); do
+    told="$(scontrol --oneliner show job "${id}")"
+    if ! grep -Eq ' JobState=(PENDING|CONFIGURING|RUNNING|COMPLETING) ' <<<"${told}"; then
+      return "$(sed -E 's/.* ExitCode=([0-9]+):.*/\1/' <<<"${told}")"
+    fi
+    sleep 0.2
   done
-  shift
-  timeout --kill-after 10 300 sbatch --quiet --nodes 2 --chdir "${work}" --output "${work}/job-%j" "${options[@]}" "${job}" "$@"
+  echo "the job does not end"
+  return 1
 }
 
 for launch in srun mpirun; do
   if [ "${launch}" = srun ] && ! srun --mpi=list 2>&1 | grep -qw pmix; then continue; fi
   rm -f "${work}/out.obj"
-  FOOTFALL_LAUNCH="${launch}" submit --wait -- "${sample}" "${steps[@]}" -o "${work}/out.obj" \
+  FOOTFALL_LAUNCH="${launch}" run_job "${sample}" "${steps[@]}" -o "${work}/out.obj" \
     --stats "${work}/stats.json" || fail "by ${launch}: sbatch ended with $?"
   cmp "${work}/one.obj" "${work}/out.obj" || fail "by ${launch}: other bytes"
   [ "$(grep -c '"bytes_sent"' "${work}/stats.json")" -eq 2 ] || fail "by ${launch}: not two ranks"
@@ -121,7 +130,7 @@ done
 
 # Cancelled when some cells are done, and given again.
 rm -f "${work}/out.obj"
-submit -- "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "sbatch ended with $?"
+submit "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "sbatch ended with $?"
 for ((i = 0; i < 600; ++i)); do
   kept="$(find "${FOOTFALL_WORK}" -name '*.share' | wc -l)"
   [ "${kept}" -eq 0 ] || break
@@ -135,15 +144,15 @@ for ((i = 0; i < 600; ++i)); do
 done
 [ -z "$(squeue --noheader)" ] || fail "a cancelled job goes on"
 [ ! -f "${work}/out.obj" ] || cmp "${work}/one.obj" "${work}/out.obj" || fail "half a result"
-submit --wait -- "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "given again: sbatch ended with $?"
+run_job "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "given again: sbatch ended with $?"
 cmp "${work}/one.obj" "${work}/out.obj" || fail "given again: other bytes"
 
 # What is wrong is told in the job's output, and by its exit code.
 code=0
-submit --wait -- || code=$?
+run_job || code=$?
 [ "${code}" -eq 2 ] || fail "without an environment: exit code ${code}, not 2"
 code=0
-submit --wait -- "${work}/missing.obj" || code=$?
+run_job "${work}/missing.obj" || code=$?
 [ "${code}" -eq 2 ] || fail "an environment that is missing: exit code ${code}, not 2"
 grep -q "missing.obj" "${work}"/job-* || fail "nothing is told of an environment that is missing"
 # Jobs of the editor, where its tests are built.

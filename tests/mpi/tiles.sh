@@ -94,7 +94,7 @@ for signal in TERM KILL; do
   ranks 3 "${FOOTFALL_MPI}" run "${city}" "${steps[@]}" --quiet --threads 1 -o "${work}/ended" >"${work}/out" \
     2>"${work}/err" &
   shell=$!
-  for ((i = 0; i < 600; ++i)); do
+  for ((i = 0; i < 3000; ++i)); do
     [ -z "$(ls "${work}/ended"/cell-* 2>/dev/null)" ] || break
     sleep 0.02
   done
