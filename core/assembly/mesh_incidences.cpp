@@ -1,34 +1,42 @@
 // How a MeshJoiner finds which vertices lie on which outlines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Most floors are whole: their edges are found by the source geometry's own tree, and nothing is stored of them.
-// Outlines of faces that something cuts are in a tree of their own, one of each set between the same two vertices.
+// The source geometry's own tree tells which faces are near a vertex: it is compared with their edges, or with the
+// outlines of those that something cuts. Only outlines of faces that have very many are in a tree of their own. Four
+// neighbours along a curve ask together, unless too much is around them. All of this only chooses what is compared:
+// boxes hold what they stand for, whatever is rounded.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <span>
 
 #include "core/assembly/mesh_joiner.hpp"
+#include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/parallel_ranges.hpp"
 
 namespace footfall::detail {
+
+/// A box in floats relative to some centre, all rounded monotonically: boxes that overlap still do. Lane 3 is not used.
+struct FloatBox {
+  Float4 lower, upper;
+};
+
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kVerticesPerTask = 4096;
 constexpr std::size_t kEntriesPerTask = 8192;
-constexpr std::size_t kSearchedPerTask = 512;
-
-Box emptyBox() {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  return {{kInfinity, kInfinity, kInfinity}, {-kInfinity, -kInfinity, -kInfinity}};
-}
+constexpr std::size_t kSearchedPerTask = 1024;
+constexpr std::size_t kGroup = 4;        // vertices that are looked for together, as many as lanes
+constexpr std::size_t kMostAround = 64;  // faces, or outlines, around a group of more than one
+constexpr Index kManyOutlines = 64;      // a face with more has them in a tree
 
 Box whole(const Box& a, const Box& b) {
   Box box;
@@ -57,20 +65,118 @@ Box inUnits(const Box& scaled, const PowerOfTwo& toUnits) {
   return box;
 }
 
+FloatBox inFloats(const Box& box, const std::array<double, 3>& centre) {
+  constexpr double kLargest = std::numeric_limits<float>::max() / 4;  // so that differences are finite
+  FloatBox result{};
+  for (int k = 0; k < 3; ++k) {
+    result.lower[k] = static_cast<float>(std::clamp(box.lower[k] - centre[k], -kLargest, kLargest));
+    result.upper[k] = static_cast<float>(std::clamp(box.upper[k] - centre[k], -kLargest, kLargest));
+  }
+  return result;
+}
+
+bool overlap(const FloatBox& a, const FloatBox& b) { return maskOf((a.lower <= b.upper) & (a.upper >= b.lower)) == 15; }
+
+FloatBox whole(const FloatBox& a, const FloatBox& b) {
+  return {a.lower < b.lower ? a.lower : b.lower, a.upper > b.upper ? a.upper : b.upper};
+}
+
+/// Puts two zeros between the lower ten bits.
+std::uint32_t spread(std::uint32_t x) {
+  x = (x | x << 16) & 0x030000FFU;
+  x = (x | x << 8) & 0x0300F00FU;
+  x = (x | x << 4) & 0x030C30C3U;
+  return (x | x << 2) & 0x09249249U;
+}
+
+/// Sorts vertices along Morton's curve through the box around all of them. `keys` is working memory.
+void sortAlongCurve(std::vector<Index>& vertices, const UnfilledArray<FloatBox>& boxes,
+                    std::vector<std::uint64_t>& keys) {
+  if (vertices.size() <= kGroup) return;
+  Float4 least = boxes[vertices[0]].lower, most = least;
+  for (const Index v : vertices) {
+    const Float4 place = boxes[v].lower;
+    least = place < least ? place : least;
+    most = place > most ? place : most;
+  }
+  const Float4 size = most - least;
+  const float extent = std::max({size[0], size[1], size[2]});
+  const float scale = std::isfinite(1023 / extent) ? 1023 / extent : 0;
+  keys.clear();
+  for (const Index v : vertices) {
+    const Float4 place = (boxes[v].lower - least) * scale;
+    std::uint64_t key = 0;
+    for (int k = 0; k < 3; ++k) key |= spread(static_cast<std::uint32_t>(place[k])) << k;
+    keys.push_back(key << 32 | static_cast<std::uint32_t>(v));
+  }
+  std::sort(keys.begin(), keys.end());
+  for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = static_cast<Index>(keys[i]);
+}
+
+/// How much around some vertices is not too much to look for them together.
+std::size_t mostAround(std::span<const Index> vertices) {
+  return vertices.size() == 1 ? std::numeric_limits<std::size_t>::max() : kMostAround;
+}
+
+/// Lists what may overlap a box. Returns false, and lists not all, where that is more than `most`.
+template <class Tree>
+bool listOverlapping(const Tree& tree, const Box& box, std::size_t most, std::vector<std::int32_t>& stack,
+                     std::vector<Index>& list) {
+  list.clear();
+  tree.visitOverlapping(box, stack, [&](Index id) {
+    list.push_back(id);
+    return list.size() <= most;
+  });
+  return list.size() <= most;
+}
+
 }  // namespace
 
 struct MeshJoiner::Search {
-  std::vector<Index> entryOf;  ///< for each face that is whole and to be looked at its entry, or -1
-  Twins twins;
-  TriangleTree tree;  ///< over the first of the twins
+  std::vector<Index> entryOf;     ///< for each face that is to be looked at its entry, or -1
+  UnfilledArray<FloatBox> boxes;  ///< of the vertices that are to be looked for
+  TriangleTree crowded;           ///< over outlines of faces that have many
   PowerOfTwo toUnits;
+
+  [[nodiscard]] FloatBox boxOf(const Outline& outline) const { return whole(boxes[outline.from], boxes[outline.to]); }
+};
+
+struct MeshJoiner::Group {
+  Group(std::span<const Index> some, const Search& search) : vertices(some), around(search.boxes[some[0]]) {
+    for (int k = 0; k < 3; ++k) {
+      lower[k] = Float4{} + std::numeric_limits<float>::max();  // nothing overlaps what is not used
+      upper[k] = -lower[k];
+    }
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const FloatBox& box = search.boxes[vertices[i]];
+      around = whole(around, box);
+      for (int k = 0; k < 3; ++k) {
+        lower[k][i] = box.lower[k];
+        upper[k][i] = box.upper[k];
+      }
+    }
+  }
+
+  /// Bit i: the box of vertex i overlaps this one.
+  [[nodiscard]] unsigned overlapping(const FloatBox& box) const {
+    Int4 hits = ~Int4{};
+    for (int k = 0; k < 3; ++k) hits &= (lower[k] <= box.upper[k]) & (upper[k] >= box.lower[k]);
+    return maskOf(hits);
+  }
+
+  std::span<const Index> vertices;
+  FloatBox around;                     ///< around all
+  std::array<Float4, 3> lower, upper;  ///< of each, by axis
 };
 
 struct MeshJoiner::Found {
   std::vector<Incidence> between;
   std::vector<std::pair<Index, Index>> equal;
-  std::vector<std::int32_t> stack;
   ExactFallbacks fallbacks;
+  // Working memory:
+  std::vector<std::int32_t> stack;
+  std::vector<Index> vertices, faces, outlines;
+  std::vector<std::uint64_t> keys;
 };
 
 void MeshJoiner::reuse(const EarlierResult& earlier, std::vector<Index> changed) {
@@ -132,6 +238,8 @@ bool MeshJoiner::isWhole(Index entry) const {
          entries[entry + 1].firstOutline == entries[entry].firstOutline;
 }
 
+bool MeshJoiner::isKnown(Index vertex) const { return !knownVertices_.empty() && knownVertices_[vertex] != 0; }
+
 MeshJoiner::Outline MeshJoiner::outlineOf(Index number) const {
   if (number >= 0) return outlines_[number];
   const auto [entry, k] = JoinMemory::wholeOf(number);
@@ -155,6 +263,7 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   if (earlier_ != nullptr) {
     std::vector<Index> entryOf(mesh_.triangles.size(), -1);
     for (std::size_t i = 0; i < count; ++i) entryOf[memory_.entries[i].face] = static_cast<Index>(i);
+    // Working memory:
     std::vector<std::int32_t> stack;
     for (const Index face : changed_) {
       if (entryOf[face] < 0) continue;
@@ -168,50 +277,6 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   for (std::size_t i = 0; i < count; ++i)
     if (wanted[i] != 0) entries.push_back(static_cast<Index>(i));
   return entries;
-}
-
-template <class Visit>
-void MeshJoiner::forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const {
-  for (std::size_t n = 0; n < entries.size(); ++n) {
-    if (n % kPolled == 0) context.checkCancelled();
-    const Index end = memory_.entries[entries[n] + 1].firstOutline;
-    for (Index i = memory_.entries[entries[n]].firstOutline; i < end; ++i) visit(i);
-  }
-}
-
-// Parts that meet in a whole edge have an outline each there: what lies on one of them lies on the other. A counting
-// sort by the smaller vertex, then each vertex's few outlines by the larger one.
-MeshJoiner::Twins MeshJoiner::findTwins(const std::vector<Index>& entries, RunContext& context) const {
-  const auto smaller = [&](Index i) { return std::min(outlines_[i].from, outlines_[i].to); };
-  const auto larger = [&](Index i) { return std::max(outlines_[i].from, outlines_[i].to); };
-  std::vector<Index> bucket(vertices_.size() + 1, 0);
-  forOutlines(entries, context, [&](Index i) { ++bucket[smaller(i)]; });
-  Index sum = 0;
-  for (Index& size : bucket) sum += std::exchange(size, sum);
-  Twins twins;
-  twins.first.resize(sum);
-  forOutlines(entries, context, [&](Index i) { twins.first[bucket[smaller(i)]++] = i; });
-  // Now bucket[v] is where the outlines of v end. Those that are not the first of theirs become -1.
-  twins.next.assign(outlines_.size(), -1);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices_.size(), kVerticesPerTask), [&](const auto& range) {
-    context.checkCancelled();
-    for (std::size_t v = range.begin(); v != range.end(); ++v) {
-      const std::span<Index> here(twins.first.data() + (v == 0 ? 0 : bucket[v - 1]), twins.first.data() + bucket[v]);
-      std::sort(here.begin(), here.end(), [&](Index a, Index b) {
-        const Index p = larger(a), q = larger(b);
-        return p != q ? p < q : a < b;
-      });
-      Index last = -1;
-      for (Index& i : here) {
-        const Index before = std::exchange(last, i);
-        if (before < 0 || larger(before) != larger(i)) continue;
-        twins.next[before] = i;
-        i = -1;
-      }
-    }
-  });
-  std::erase(twins.first, -1);
-  return twins;
 }
 
 std::vector<char> MeshJoiner::verticesOn(const std::vector<Index>& entries, RunContext& context) const {
@@ -233,90 +298,147 @@ std::vector<char> MeshJoiner::verticesOn(const std::vector<Index>& entries, RunC
   return marks;
 }
 
-void MeshJoiner::buildTree(Search& search, RunContext& context) const {
-  const std::vector<Index>& first = search.twins.first;
+void MeshJoiner::fillBoxes(const std::vector<char>& isSearched, Search& search, RunContext& context) const {
+  const MeshVertex& middle = vertices_[vertices_.size() / 2];
+  const std::array<double, 3> centre{middle.x, middle.y, middle.z};
+  search.boxes = UnfilledArray<FloatBox>(vertices_.size());
+  forRanges(vertices_.size(), kVerticesPerTask, [&](std::size_t first, std::size_t last) {
+    context.checkCancelled();
+    for (std::size_t v = first; v < last; ++v)
+      if (isSearched[v] != 0) search.boxes.fill(v, inFloats(boxAround(vertices_[v]), centre));
+  });
+}
+
+void MeshJoiner::buildTree(const std::vector<Index>& entries, Search& search, RunContext& context) const {
+  if (outlines_.size() <= kManyOutlines) return;
+  std::vector<Index> outlines;
+  for (std::size_t n = 0; n < entries.size(); ++n) {
+    if (n % kPolled == 0) context.checkCancelled();
+    const Index first = memory_.entries[entries[n]].firstOutline, end = memory_.entries[entries[n] + 1].firstOutline;
+    for (Index i = first; end - first > kManyOutlines && i < end; ++i) outlines.push_back(i);
+  }
+  if (outlines.empty()) return;
   const auto boxOf = [&](std::size_t n) {
-    const Outline& o = outlines_[first[n]];
+    const Outline& o = outlines_[outlines[n]];
     return whole(boxAround(vertices_[o.from]), boxAround(vertices_[o.to]));
   };
-  Box bounds = emptyBox();
-  for (std::size_t n = 0; n < first.size(); ++n) {
+  Box bounds = boxOf(0);
+  for (std::size_t n = 1; n < outlines.size(); ++n) {
     if (n % kPolled == 0) context.checkCancelled();
     bounds = whole(bounds, boxOf(n));
   }
-  if (!first.empty()) search.tree.build(bounds, first, boxOf, context);
+  search.crowded.build(bounds, outlines, boxOf, context);
 }
 
-void MeshJoiner::findOnOutlines(Index vertex, const Box& box, const Search& search, Found& found,
-                                RunContext& context) const {
-  const bool known = !knownVertices_.empty() && knownVertices_[vertex] != 0;
-  search.tree.visitOverlapping(box, found.stack, [&](std::int32_t first) {
-    const Outline& o = outlines_[first];
-    if (o.from == vertex || o.to == vertex) return true;
-    context.checkCancelled();  // on a wide grid one comparison can take a tenth of a millisecond
-    const auto isToDo = [&](Index i) { return !known || knownOutlines_[i] == 0; };
-    bool any = false;
-    for (Index i = first; i >= 0 && !any; i = search.twins.next[i]) any = isToDo(i);
-    if (!any) return true;
-    const Relation relation = relate(vertex, o, found.fallbacks);
-    for (Index i = first; i >= 0 && relation == Relation::Between; i = search.twins.next[i])
-      if (isToDo(i)) found.between.push_back({i, vertex});
-    if (relation == Relation::AtStart) found.equal.emplace_back(vertex, o.from);
-    if (relation == Relation::AtEnd) found.equal.emplace_back(vertex, o.to);
-    return true;
-  });
+void MeshJoiner::compare(Index vertex, Index number, const Outline& outline, Found& found, RunContext& context) const {
+  context.checkCancelled();  // on a wide grid one comparison can take a tenth of a millisecond
+  const Relation relation = relate(vertex, outline, found.fallbacks);
+  if (relation == Relation::Between) found.between.push_back({number, vertex});
+  if (relation == Relation::AtStart) found.equal.emplace_back(vertex, outline.from);
+  if (relation == Relation::AtEnd) found.equal.emplace_back(vertex, outline.to);
 }
 
 // A corner of a face is on none of its other edges.
-void MeshJoiner::findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found,
-                                  RunContext& context) const {
-  const bool known = !knownVertices_.empty() && knownVertices_[vertex] != 0;
-  mesh_.tree.visitOverlapping(inUnits(box, search.toUnits), found.stack, [&](Index face) {
-    const Index entry = search.entryOf[face];
-    if (entry < 0 || (known && knownEntries_[entry] != 0)) return true;
-    const auto& corners = triangles_[firstTriangle_[entry]].corners;
-    if (corners[0] == vertex || corners[1] == vertex || corners[2] == vertex) return true;
-    context.checkCancelled();
+void MeshJoiner::findOnWholeFace(Index entry, const Group& group, const Search& search, Found& found,
+                                 RunContext& context) const {
+  const auto& corners = triangles_[firstTriangle_[entry]].corners;
+  const FloatBox &a = search.boxes[corners[0]], &b = search.boxes[corners[1]], &c = search.boxes[corners[2]];
+  for (unsigned hits = group.overlapping(whole(whole(a, b), c)); hits != 0; hits &= hits - 1) {
+    const Index vertex = group.vertices[std::countr_zero(hits)];
+    if (corners[0] == vertex || corners[1] == vertex || corners[2] == vertex) continue;
+    if (isKnown(vertex) && knownEntries_[entry] != 0) continue;
+    const std::array<FloatBox, 3> edges{whole(a, b), whole(b, c), whole(c, a)};
     for (int k = 0; k < 3; ++k) {
-      const Index from = corners[k], to = corners[next(k)];
-      if (!overlap(box, whole(boxAround(vertices_[from]), boxAround(vertices_[to])))) continue;
+      if (!overlap(search.boxes[vertex], edges[k]) || isFar(vertex, corners[k], corners[next(k)])) continue;
       const Index number = JoinMemory::edgeOfWhole(entry, k);
-      const Relation relation = relate(vertex, outlineOf(number), found.fallbacks);
-      if (relation == Relation::Between) found.between.push_back({number, vertex});
-      if (relation == Relation::AtStart) found.equal.emplace_back(vertex, from);
-      if (relation == Relation::AtEnd) found.equal.emplace_back(vertex, to);
+      compare(vertex, number, outlineOf(number), found, context);
     }
-    return true;
-  });
+  }
+}
+
+void MeshJoiner::findOnOutline(Index number, const FloatBox& box, const Group& group, Found& found,
+                               RunContext& context) const {
+  const Outline& o = outlines_[number];
+  for (unsigned hits = group.overlapping(box); hits != 0; hits &= hits - 1) {
+    const Index vertex = group.vertices[std::countr_zero(hits)];
+    if (o.from == vertex || o.to == vertex || (isKnown(vertex) && knownOutlines_[number] != 0)) continue;
+    if (!isFar(vertex, o.from, o.to)) compare(vertex, number, o, found, context);
+  }
+}
+
+Box MeshJoiner::boxAroundAll(std::span<const Index> vertices) const {
+  Box box = boxAround(vertices_[vertices[0]]);
+  for (const Index vertex : vertices.subspan(1)) box = whole(box, boxAround(vertices_[vertex]));
+  return box;
+}
+
+bool MeshJoiner::findTogether(std::span<const Index> vertices, const Search& search, Found& found,
+                              RunContext& context) const {
+  const Box box = inUnits(boxAroundAll(vertices), search.toUnits);
+  if (!listOverlapping(mesh_.tree, box, mostAround(vertices), found.stack, found.faces)) return false;
+  const Group group(vertices, search);
+  bool anyCrowded = false;
+  for (const Index face : found.faces) {
+    const Index entry = search.entryOf[face];
+    if (entry < 0) continue;
+    const Index first = memory_.entries[entry].firstOutline, end = memory_.entries[entry + 1].firstOutline;
+    if (isWhole(entry)) findOnWholeFace(entry, group, search, found, context);
+    if (end - first > kManyOutlines)
+      anyCrowded = true;
+    else
+      for (Index i = first; i < end; ++i)
+        if (const FloatBox outline = search.boxOf(outlines_[i]); overlap(outline, group.around))
+          findOnOutline(i, outline, group, found, context);
+  }
+  if (anyCrowded) findOnCrowded(vertices, search, found, context);
+  return true;
+}
+
+void MeshJoiner::findOnCrowded(std::span<const Index> vertices, const Search& search, Found& found,
+                               RunContext& context) const {
+  if (listOverlapping(search.crowded, boxAroundAll(vertices), mostAround(vertices), found.stack, found.outlines)) {
+    const Group group(vertices, search);
+    for (const Index i : found.outlines) findOnOutline(i, search.boxOf(outlines_[i]), group, found, context);
+    return;
+  }
+  const std::size_t half = vertices.size() / 2;
+  findOnCrowded(vertices.first(half), search, found, context);
+  findOnCrowded(vertices.subspan(half), search, found, context);
 }
 
 void MeshJoiner::findIncidences(RunContext& context) {
   if (earlier_ != nullptr) copyEarlier();
+  if (vertices_.size() == 0) return;
   const std::vector<Index> entries = entriesToSearch();
   Search search{{}, {}, {}, PowerOfTwo(-mesh_.grid.scaleExponent())};
   std::vector<char> isSearched;
   const auto findSearched = [&] {
     isSearched = verticesOn(entries, context);
+    fillBoxes(isSearched, search, context);
     search.entryOf.assign(mesh_.triangles.size(), -1);
-    for (const Index entry : entries)
-      if (isWhole(entry)) search.entryOf[memory_.entries[entry].face] = entry;
+    for (const Index entry : entries) search.entryOf[memory_.entries[entry].face] = entry;
   };
-  tbb::parallel_invoke(
-      [&] {
-        search.twins = findTwins(entries, context);
-        buildTree(search, context);
-      },
-      findSearched);
+  tbb::parallel_invoke([&] { buildTree(entries, search, context); }, findSearched);
 
   tbb::enumerable_thread_specific<Found> locals;
   forRanges(isSearched.size(), kSearchedPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     Found& found = locals.local();
-    for (auto v = static_cast<Index>(first); v < static_cast<Index>(last); ++v) {
-      if (isSearched[v] == 0) continue;
-      const Box box = boxAround(vertices_[v]);
-      findOnOutlines(v, box, search, found, context);
-      findOnWholeFaces(v, box, search, found, context);
+    found.vertices.clear();
+    for (std::size_t v = first; v < last; ++v)
+      if (isSearched[v] != 0) found.vertices.push_back(static_cast<Index>(v));
+    sortAlongCurve(found.vertices, search.boxes, found.keys);
+    // Where too many faces are around a group, a smaller one is tried; then groups grow again.
+    const std::span<const Index> vertices = found.vertices;
+    std::size_t size = kGroup;
+    for (std::size_t done = 0; done < vertices.size();) {
+      const std::size_t count = std::min(size, vertices.size() - done);
+      if (findTogether(vertices.subspan(done, count), search, found, context)) {
+        done += count;
+        size = std::min(2 * size, kGroup);
+      } else {
+        size = count / 2;
+      }
     }
   });
   for (Found& found : locals) {

@@ -53,25 +53,29 @@ int MeshJoiner::compareAlong(const Outline& outline, Index a, Index b, ExactFall
   return forward * compareCoordinate(a, b, axis, true, count);
 }
 
+bool MeshJoiner::isFar(Index vertex, Index from, Index to) const {
+  const MeshVertex &p = vertices_[vertex], &a = vertices_[from], &b = vertices_[to];
+  const double error = (p.error + a.error + b.error) * 2;
+  const std::array<double, 3> u{b.x - a.x, b.y - a.y, b.z - a.z}, w{p.x - a.x, p.y - a.y, p.z - a.z};
+  const std::array<double, 3> size{std::fabs(a.x) + std::fabs(b.x) + std::fabs(p.x),
+                                   std::fabs(a.y) + std::fabs(b.y) + std::fabs(p.y),
+                                   std::fabs(a.z) + std::fabs(b.z) + std::fabs(p.z)};
+  for (int i = 0; i < 3; ++i) {
+    const int j = next(i);
+    const double left = u[i] * w[j], right = u[j] * w[i];
+    const double di = error + size[i] * kCoordinateRounding, dj = error + size[j] * kCoordinateRounding;
+    const double bound = ((std::fabs(u[i]) + std::fabs(w[i])) * dj + (std::fabs(u[j]) + std::fabs(w[j])) * di +
+                          2 * di * dj + (std::fabs(left) + std::fabs(right)) * kCoordinateRounding) *
+                             kInflate +
+                         kernel_.sign().slack;
+    if (std::fabs(left - right) > bound) return true;
+  }
+  return false;
+}
+
 MeshJoiner::Relation MeshJoiner::relate(Index vertex, const Outline& outline, ExactFallbacks& count) const {
-  const MeshVertex &p = vertices_[vertex], &a = vertices_[outline.from], &b = vertices_[outline.to];
+  const MeshVertex& p = vertices_[vertex];
   if (outline.sourceEdge.first < 0 || !liesOnSourceEdge(p, outline.sourceEdge)) {
-    // Far from the line by the rounded coordinates?
-    const double error = (p.error + a.error + b.error) * 2;
-    const std::array<double, 3> u{b.x - a.x, b.y - a.y, b.z - a.z}, w{p.x - a.x, p.y - a.y, p.z - a.z};
-    const std::array<double, 3> size{std::fabs(a.x) + std::fabs(b.x) + std::fabs(p.x),
-                                     std::fabs(a.y) + std::fabs(b.y) + std::fabs(p.y),
-                                     std::fabs(a.z) + std::fabs(b.z) + std::fabs(p.z)};
-    for (int i = 0; i < 3; ++i) {
-      const int j = next(i);
-      const double left = u[i] * w[j], right = u[j] * w[i];
-      const double di = error + size[i] * kCoordinateRounding, dj = error + size[j] * kCoordinateRounding;
-      const double bound = ((std::fabs(u[i]) + std::fabs(w[i])) * dj + (std::fabs(u[j]) + std::fabs(w[j])) * di +
-                            2 * di * dj + (std::fabs(left) + std::fabs(right)) * kCoordinateRounding) *
-                               kInflate +
-                           kernel_.sign().slack;
-      if (std::fabs(left - right) > bound) return Relation::Apart;
-    }
     const Index origin = mesh_.triangles[outline.face][0];
     if (kernel_.side(outline.line, outline.face, p.point, origin, count) != 0) return Relation::Apart;
     const int height = p.source >= 0 ? kernel_.heightSign(outline.face, p.source, 0, count)

@@ -14,11 +14,12 @@
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/walkable_state.hpp"
-#include "core/base/triangle_tree.hpp"
 #include "core/base/unfilled_array.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
+
+struct FloatBox;
 
 /// A face to be joined with others.
 struct FaceToJoin {
@@ -62,11 +63,6 @@ class MeshJoiner {
     std::pair<Index, Index> sourceEdge{-1, -1};  ///< the source vertices of the face's edge that it lies on
   };
   using Incidence = JoinMemory::Incidence;
-  /// Outlines between the same two vertices.
-  struct Twins {
-    std::vector<Index> first;  ///< of each set the smallest
-    std::vector<Index> next;   ///< for each outline the next of its set, or -1
-  };
   enum class Relation { Apart, AtStart, Between, AtEnd };
   /// Where vertices are looked for.
   struct Search;
@@ -92,28 +88,37 @@ class MeshJoiner {
   void copyEarlier();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
-  /// Calls visit(i) for every outline of the entries.
-  template <class Visit>
-  void forOutlines(const std::vector<Index>& entries, RunContext& context, const Visit& visit) const;
-  [[nodiscard]] Twins findTwins(const std::vector<Index>& entries, RunContext& context) const;
   /// Whether nothing cuts the face of an entry.
   [[nodiscard]] bool isWhole(Index entry) const;
+  /// Whether what a vertex lies on was copied, as far as it did not change.
+  [[nodiscard]] bool isKnown(Index vertex) const;
   /// An outline by its number, or that of an edge of a whole face.
   [[nodiscard]] Outline outlineOf(Index number) const;
   /// Marks the vertices on outlines of the entries.
   [[nodiscard]] std::vector<char> verticesOn(const std::vector<Index>& entries, RunContext& context) const;
-  void buildTree(Search& search, RunContext& context) const;
+  void fillBoxes(const std::vector<char>& isSearched, Search& search, RunContext& context) const;
+  void buildTree(const std::vector<Index>& entries, Search& search, RunContext& context) const;
   void findIncidences(RunContext& context);
   /// What one thread finds.
   struct Found;
-  void findOnOutlines(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
-  void findOnWholeFaces(Index vertex, const Box& box, const Search& search, Found& found, RunContext& context) const;
+  /// Vertices that lie near each other.
+  struct Group;
+  /// Finds what some vertices lie on, unless too many faces are around them: then it returns false.
+  bool findTogether(std::span<const Index> vertices, const Search& search, Found& found, RunContext& context) const;
+  void findOnWholeFace(Index entry, const Group& group, const Search& search, Found& found, RunContext& context) const;
+  void findOnOutline(Index number, const FloatBox& box, const Group& group, Found& found, RunContext& context) const;
+  void findOnCrowded(std::span<const Index> vertices, const Search& search, Found& found, RunContext& context) const;
+  [[nodiscard]] Box boxAroundAll(std::span<const Index> vertices) const;
+  void compare(Index vertex, Index number, const Outline& outline, Found& found, RunContext& context) const;
   void uniteVertices(RunContext& context);
   /// The vertex that stands for all at its place.
   [[nodiscard]] Index firstAt(Index vertex) const { return sameAs_.empty() ? vertex : sameAs_[vertex]; }
   /// What lies on outlines, by triangle and edge.
   [[nodiscard]] std::vector<Split> findSplits(RunContext& context);
   WalkableMesh assemble(std::span<const Split> splits, RunContext& context);
+  /// Whether a vertex is certainly not on the line through two others, by their rounded coordinates.
+  [[nodiscard]] bool isFar(Index vertex, Index from, Index to) const;
+  /// Where a vertex is on an outline from which it is not isFar().
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
   /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
