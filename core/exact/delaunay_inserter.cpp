@@ -55,10 +55,17 @@ Index DelaunayInserter::insert(Index point) {
 // Edges are tried in a random order, lest walks go round in circles. Each step knows two of the next cell's corners
 // already, and that the point lies on the inner side of the edge between them.
 DelaunayInserter::Location DelaunayInserter::locate() {
+  struct Offset {
+    double x, y;
+  };
+  const auto offsetOf = [&](Index vertex) {
+    const ApproximatePoint& p = geometry_.approximate(vertex);
+    return Offset{p.x - place_.x, p.y - place_.y};
+  };
   const double certain = geometry_.certainTurn();
   Location at;
   // Whether the point lies beyond an edge, from a to b; on two edges, it is at the corner where the second begins.
-  const auto isBeyond = [&](const Corner& a, const Corner& b, int k) {
+  const auto isBeyond = [&](const Offset& a, const Offset& b, int k) {
     const double turn = a.x * b.y - a.y * b.x;
     if (turn > certain) return false;
     if (turn < -certain) return true;
@@ -70,12 +77,12 @@ DelaunayInserter::Location DelaunayInserter::locate() {
   poll();
   at.cell = hint_;
   const auto& corners = cells_[hint_].corners;
-  const std::array<Corner, 3> around{cornerAt(corners[0]), cornerAt(corners[1]), cornerAt(corners[2])};
+  const std::array<Offset, 3> around{offsetOf(corners[0]), offsetOf(corners[1]), offsetOf(corners[2])};
   int left = -1;
   for (int i = 0, k = nextRandom(); i < 3 && left < 0; ++i, k = next(k))
     if (isBeyond(around[k], around[next(k)], k)) left = k;
   if (left < 0) return at;
-  Corner start = around[next(left)], end = around[left];  // of the edge over which the walk comes, in the next cell
+  Offset start = around[next(left)], end = around[left];  // of the edge over which the walk comes, in the next cell
   for (;;) {
     poll();
     const Index from = at.cell;
@@ -84,7 +91,7 @@ DelaunayInserter::Location DelaunayInserter::locate() {
       throw std::logic_error("the triangulation of a floor triangle is inconsistent: a point outside the face");
     const TriangleCell& cell = cells_[at.cell];
     const int entered = neighborSlot(cell, from), last = previous(entered), middle = next(entered);
-    const Corner apex = cornerAt(cell.corners[last]);
+    const Offset apex = offsetOf(cell.corners[last]);
     const bool isLastFirst = nextRandom() == last;
     bool isLeft = isLastFirst && isBeyond(apex, start, last);
     const bool isOverMiddle = !isLeft && isBeyond(end, apex, middle);
@@ -101,28 +108,35 @@ void DelaunayInserter::legalize() {
   const double certain = geometry_.certainTurn();
   int flips = 0;
   while (!suspects_.empty()) {
-    Suspect at = suspects_.back();
-    suspects_.pop_back();
-    while (flips < kMostFlips) {
-      const TriangleCell& cell = cells_[at.cell];
-      const Index other = cell.neighbors[at.k];
-      if (other < 0) break;
-      const Index apex = cells_[other].corners[previous(neighborSlot(cells_[other], at.cell))];
-      const Corner a = at.a, b = at.b, d = cornerAt(apex);
+    Suspect& at = suspects_.back();
+    const TriangleCell& cell = cells_[at.cell];
+    const Index other = cell.neighbors[at.k];
+    const Corner &a = at.a, &b = at.b;
+    const auto isWorse = [&](Index apex, const Corner& d) {
       const double ad = a.x * d.y, da = a.y * d.x, db = d.x * b.y, bd = d.y * b.x, ab = a.x * b.y, ba = a.y * b.x;
       const double turnAtA = ad - da, turnAtB = db - bd;
       const double inside = a.squared * turnAtB + b.squared * turnAtA - d.squared * (ab - ba);
-      if (!(inside > 0)) break;  // as most are
+      if (!(inside > 0)) return false;  // as most are
       const double size = a.squared * (std::fabs(db) + std::fabs(bd)) + b.squared * (std::fabs(ad) + std::fabs(da)) +
                           d.squared * (std::fabs(ab) + std::fabs(ba));
-      if (!(inside > size * 0x1p-32)) break;
-      if (!(turnAtA > certain) && geometry_.orientation(point_, cell.corners[at.k], apex) <= 0) break;
-      if (!(turnAtB > certain) && geometry_.orientation(point_, apex, cell.corners[next(at.k)]) <= 0) break;
-      ++flips;
-      cells_.flip(at.cell, at.k);
-      suspects_.push_back({at.cell, 0, a, d});
-      at = {other, 0, d, b};
+      return inside > size * 0x1p-32 &&
+             (turnAtA > certain || geometry_.orientation(point_, cell.corners[at.k], apex) > 0) &&
+             (turnAtB > certain || geometry_.orientation(point_, apex, cell.corners[next(at.k)]) > 0);
+    };
+    if (other >= 0 && flips < kMostFlips) {
+      const Index apex = cells_[other].corners[previous(neighborSlot(cells_[other], at.cell))];
+      const Corner d = cornerAt(apex);
+      if (isWorse(apex, d)) {
+        ++flips;
+        cells_.flip(at.cell, at.k);
+        const Suspect beyond{other, 0, d, b};
+        at.k = 0;
+        at.b = d;
+        suspects_.push_back(beyond);
+        continue;
+      }
     }
+    suspects_.pop_back();
   }
   if (flips == kMostFlips) isDelaunay_ = false;
 }

@@ -200,19 +200,18 @@ int FaceGeometry::sideOfEdge(int k, Index point) {
   return s;
 }
 
-bool FaceGeometry::areKnownCollinear(Index a, Index b, Index c) const {
-  if ((places_[a].border & places_[b].border & places_[c].border) != 0) return true;
-  return kernel_.areKnownCollinear(points_[a], points_[b], points_[c]);
+bool FaceGeometry::areOnSameBorder(Index a, Index b, Index c) const {
+  return (places_[a].border & places_[b].border & places_[c].border) != 0;
 }
 
 int FaceGeometry::orientationBeyondBound(Index a, Index b, Index c) {
-  if (a == b || b == c || a == c) return 0;
+  if (a == b || b == c || a == c || areOnSameBorder(a, b, c)) return 0;
   if (kernel_.hasExactOrientations() && isSource(a) && isSource(b) && isSource(c))
     return kernel_.orientation(points_[a].planId(), points_[b].planId(), points_[c].planId(), fallbacks);
   const MaybeSign filtered =
       filteredOrientation(approximate_[a], approximate_[b], approximate_[c], kernel_.sign().slack);
   if (filtered) return *filtered;
-  if (areKnownCollinear(a, b, c)) return 0;
+  if (kernel_.areKnownCollinear(points_[a], points_[b], points_[c])) return 0;
   if (const MaybeSign s = kernel_.sign()(determinant<ErrorDouble>(homogeneous(a), homogeneous(b), homogeneous(c))))
     return *s;
   ++fallbacks.orientation;

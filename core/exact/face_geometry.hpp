@@ -103,7 +103,7 @@ class FaceGeometry {
   /// The number of a point's, or of a line's, exact coordinates in exact_.
   Index exact(Index point);
   Index exactLine(Index line);
-  [[nodiscard]] bool areKnownCollinear(Index a, Index b, Index c) const;
+  [[nodiscard]] bool areOnSameBorder(Index a, Index b, Index c) const;
 
   const PlanKernel& kernel_;
   Index face_ = -1;
