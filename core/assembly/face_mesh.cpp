@@ -9,12 +9,12 @@ namespace footfall::detail {
 void FaceMesher::insertCuts(const FaceCuts& cuts) {
   points_.clear();
   lines_.clear();
-  geometry_.reserve(cuts.points.size(), cuts.lines.size());
+  geometry_.reserve(cuts.points.size());
   for (std::size_t i = 0; i < cuts.points.size(); ++i) {
     points_.push_back(geometry_.point(cuts.points[i]));
     geometry_.addBorder(points_.back(), cuts.borders[i]);
   }
-  for (const PlanLine& l : cuts.lines) lines_.push_back(geometry_.line(l));
+  for (const PlanLine& l : cuts.lines) lines_.push_back(geometry_.newLine(l));
 
   triangulation_.start(points_, cuts.edgeWalls);
   constexpr std::size_t kTold = 64;

@@ -88,6 +88,13 @@ Index FaceGeometry::line(const PlanLine& l) {
   return id;
 }
 
+Index FaceGeometry::newLine(const PlanLine& l) {
+  for (Index k = 0; k < 3; ++k)
+    if (lines_[k] == l) return k;
+  lineValues_.emplace_back();
+  return lines_.append(l);
+}
+
 Index FaceGeometry::edgeLine(Index planA, Index planB) {
   return line({PlanLine::Edge, std::min(planA, planB), std::max(planA, planB)});
 }

@@ -25,16 +25,15 @@ class FaceGeometry {
   [[nodiscard]] Index face() const { return face_; }
   [[nodiscard]] Index origin() const { return origin_; }
 
-  /// Makes room for so many points and lines.
-  void reserve(std::size_t points, std::size_t lines) {
-    points_.reserve(points);
-    lines_.reserve(lines);
-  }
+  /// Makes room for so many points.
+  void reserve(std::size_t points) { points_.reserve(points); }
 
   Index point(const PlanPoint& p);
   /// The point at a source vertex.
   Index sourcePoint(Index planId);
   Index line(const PlanLine& l);
+  /// The same of a line that was not asked for before, nor will be again, except that it may be the face's own edge.
+  Index newLine(const PlanLine& l);
   /// The line of a source edge, by the plan ids of its ends (different ones).
   Index edgeLine(Index planA, Index planB);
   [[nodiscard]] const PlanPoint& operator[](Index point) const { return points_[point]; }
