@@ -9,17 +9,18 @@ namespace footfall::detail {
 void FaceMesher::insertCuts(const FaceCuts& cuts) {
   points_.clear();
   lines_.clear();
+  geometry_.reserve(cuts.points.size());
   for (std::size_t i = 0; i < cuts.points.size(); ++i) {
     points_.push_back(geometry_.point(cuts.points[i]));
     geometry_.addBorder(points_.back(), cuts.borders[i]);
   }
-  for (const PlanLine& l : cuts.lines) lines_.push_back(geometry_.line(l));
+  for (const PlanLine& l : cuts.lines) lines_.push_back(geometry_.newLine(l));
 
-  for (const Index p : points_) triangulation_.insertPoint(p);
+  triangulation_.start(points_, cuts.edgeWalls);
   constexpr std::size_t kTold = 64;
   std::size_t inserted = 0;
   for (const CutSegment& s : cuts.segments) {
-    triangulation_.insertSegment(triangulation_.insertPoint(points_[s.from]), triangulation_.insertPoint(points_[s.to]),
+    triangulation_.insertSegment(triangulation_.vertexAt(points_[s.from]), triangulation_.vertexAt(points_[s.to]),
                                  lines_[s.line], s.direction, s.winding, s.wall);
     if (++inserted % kTold == 0 && advance_) advance_(kTold);
   }
@@ -31,13 +32,12 @@ FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
   FaceMesh result;
   if (cuts != nullptr && cuts->removed && !covered) return result;
   geometry_.start(face);
-  triangulation_.start();
-  if (cuts != nullptr) {
-    for (int k = 0; k < 3; ++k)
-      if ((cuts->edgeWalls >> k & 1) != 0) triangulation_.markEdgeWall(k);
+  if (cuts != nullptr)
     insertCuts(*cuts);
-  }
+  else
+    triangulation_.start({});
   const auto& cells = triangulation_.cells();
+  const auto& edges = triangulation_.edges();
   const std::vector<int> winding = triangulation_.windingNumbers(cuts != nullptr ? cuts->startWinding : 0);
   const bool all = cuts != nullptr && cuts->removed;
   std::size_t count = 0;
@@ -79,11 +79,11 @@ FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
       const Index other = cells[i].neighbors[edge];
       const bool outline = other < 0 || !taken(other);
       if (outline) cell.outlineEdges |= static_cast<std::uint8_t>(1 << k);
-      if (cells[i].walls[edge] != 0) cell.obstacleEdges |= static_cast<std::uint8_t>(1 << k);
-      if ((outline || cells[i].walls[edge] != 0) && cells[i].lines[edge] >= 0)
-        cell.lines[k] = addLine(cells[i].lines[edge]);
+      if (edges[i].walls[edge] != 0) cell.obstacleEdges |= static_cast<std::uint8_t>(1 << k);
+      if ((outline || edges[i].walls[edge] != 0) && edges[i].lines[edge] >= 0)
+        cell.lines[k] = addLine(edges[i].lines[edge]);
       // the lines 0, 1, 2 are the face's own edges
-      if (other < 0) cell.faceEdges[k] = static_cast<std::int8_t>(cells[i].lines[edge]);
+      if (other < 0) cell.faceEdges[k] = static_cast<std::int8_t>(edges[i].lines[edge]);
     }
     result.cells.push_back(cell);
   }

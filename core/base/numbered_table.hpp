@@ -27,9 +27,13 @@ class NumberedTable {
     bits_ = kFirstBits;
     startFilling();
   }
+  /// Makes room for so many keys.
+  void reserve(std::size_t count) {
+    if (isCrowdedBy(count)) growFor(count);
+  }
   /// The number of `key`, and whether it is new.
   std::pair<Number, bool> insert(const Key& key) {
-    if (isCrowded()) grow();
+    if (isCrowdedBy(keys_.size())) growFor(keys_.size());
     Slot* slot = find(key);
     if (slot->filling == filling_) return {slot->number, false};
     *slot = {filling_, static_cast<Number>(keys_.size())};
@@ -90,9 +94,9 @@ class NumberedTable {
     slots_.assign(slots_.size(), {});  // the numbers of fillings begin again
     filling_ = 1;
   }
-  [[nodiscard]] bool isCrowded() const { return keys_.size() * 2 >= (std::size_t{1} << bits_); }
-  void grow() {
-    while (isCrowded()) ++bits_;
+  [[nodiscard]] bool isCrowdedBy(std::size_t count) const { return count * 2 >= (std::size_t{1} << bits_); }
+  void growFor(std::size_t count) {
+    while (isCrowdedBy(count)) ++bits_;
     startFilling();
     for (std::size_t i = 0; i < keys_.size(); ++i) *find(keys_[i]) = {filling_, static_cast<Number>(i)};
   }

@@ -17,7 +17,8 @@ MaybeSign filteredOrientation(const ApproximatePoint& a, const ApproximatePoint&
 
 // filteredOrientation()'s bound with the largest size and error in the place of all. Differences of two coordinates
 // are at most twice as large as the largest; 2^-40 covers the roundings.
-void FaceGeometry::includeInBound(const ApproximatePoint& point) {
+void FaceGeometry::place(const ApproximatePoint& point) {
+  approximate_.push_back(point);
   const double size = std::max(std::fabs(point.x), std::fabs(point.y));
   if (size <= size_ && point.error <= error_) return;
   size_ = std::max(size_, size);
@@ -33,6 +34,7 @@ void FaceGeometry::start(Index face) {
   origin_ = corners[0];
   points_.clear();
   lines_.clear();
+  approximate_.clear();
   places_.clear();
   lineValues_.clear();
   exact_.clear();
@@ -62,9 +64,8 @@ Index FaceGeometry::sourcePoint(Index planId) {
   SourceSlot& slot = sources_[planId];
   if (slot.filling == filling_) return slot.point;
   slot = {filling_, points_.append(PlanPoint::source(planId))};
-  Place& place = places_.emplace_back();
-  place.approximate = kernel_.approximateSource(planId, origin_);
-  includeInBound(place.approximate);
+  places_.emplace_back();
+  place(kernel_.approximateSource(planId, origin_));
   return slot.point;
 }
 
@@ -72,15 +73,11 @@ Index FaceGeometry::point(const PlanPoint& p) {
   if (p.kind() == PlanPoint::Source) return sourcePoint(p.planId());
   const auto [id, isNew] = points_.insert(p);
   if (isNew) {
-    Place& place = places_.emplace_back();
-    if (const auto quick = kernel_.approximateQuickly(p, origin_)) {
-      place.approximate = *quick;
-    } else {
-      place.homogeneous = kernel_.homogeneous(p, origin_);
-      place.hasHomogeneous = true;
-      place.approximate = kernel_.approximate(place.homogeneous, p, origin_);
-    }
-    includeInBound(place.approximate);
+    places_.emplace_back();
+    if (const auto quick = kernel_.approximateQuickly(p, origin_))
+      place(*quick);
+    else
+      place(kernel_.approximate(homogeneous(id), p, origin_));
   }
   return id;
 }
@@ -89,6 +86,13 @@ Index FaceGeometry::line(const PlanLine& l) {
   const auto [id, isNew] = lines_.insert(l);
   if (isNew) lineValues_.emplace_back();
   return id;
+}
+
+Index FaceGeometry::newLine(const PlanLine& l) {
+  for (Index k = 0; k < 3; ++k)
+    if (lines_[k] == l) return k;
+  lineValues_.emplace_back();
+  return lines_.append(l);
 }
 
 Index FaceGeometry::edgeLine(Index planA, Index planB) {
@@ -169,7 +173,7 @@ int FaceGeometry::side(Index line, Index point) {
     values.hasCoefficients = true;
   }
   const auto& [a, b, c] = values.coefficients;
-  const ApproximatePoint& p = places_[point].approximate;
+  const ApproximatePoint& p = approximate_[point];
   const double ax = a.value * p.x, by = b.value * p.y;
   const double value = ax + by + c.value;
   const double bound =
@@ -191,6 +195,11 @@ int FaceGeometry::side(Index line, Index point) {
   return sgn(lineAtPoint<mpz_class>(exact_.wide(l), exact_.wide(h)));
 }
 
+int FaceGeometry::sideNearby(Index line, Index point) {
+  if (lines_[line].kind != PlanLine::Border && kernel_.isKnownOn(lines_[line], face_, points_[point])) return 0;
+  return side(line, point);
+}
+
 int FaceGeometry::sideOfEdge(int k, Index point) {
   if ((places_[point].border >> k & 1) != 0) return 0;
   const int s = side(k, point) * edgeDirection_[k];
@@ -198,19 +207,18 @@ int FaceGeometry::sideOfEdge(int k, Index point) {
   return s;
 }
 
-bool FaceGeometry::areKnownCollinear(Index a, Index b, Index c) const {
-  if ((places_[a].border & places_[b].border & places_[c].border) != 0) return true;
-  return kernel_.areKnownCollinear(points_[a], points_[b], points_[c]);
+bool FaceGeometry::areOnSameBorder(Index a, Index b, Index c) const {
+  return (places_[a].border & places_[b].border & places_[c].border) != 0;
 }
 
 int FaceGeometry::orientationBeyondBound(Index a, Index b, Index c) {
-  if (a == b || b == c || a == c) return 0;
+  if (a == b || b == c || a == c || areOnSameBorder(a, b, c)) return 0;
   if (kernel_.hasExactOrientations() && isSource(a) && isSource(b) && isSource(c))
     return kernel_.orientation(points_[a].planId(), points_[b].planId(), points_[c].planId(), fallbacks);
   const MaybeSign filtered =
-      filteredOrientation(places_[a].approximate, places_[b].approximate, places_[c].approximate, kernel_.sign().slack);
+      filteredOrientation(approximate_[a], approximate_[b], approximate_[c], kernel_.sign().slack);
   if (filtered) return *filtered;
-  if (areKnownCollinear(a, b, c)) return 0;
+  if (kernel_.areKnownCollinear(points_[a], points_[b], points_[c])) return 0;
   if (const MaybeSign s = kernel_.sign()(determinant<ErrorDouble>(homogeneous(a), homogeneous(b), homogeneous(c))))
     return *s;
   ++fallbacks.orientation;
@@ -221,7 +229,7 @@ int FaceGeometry::orientationBeyondBound(Index a, Index b, Index c) {
 
 int FaceGeometry::compare(Index a, Index b, int axis) {
   if (a == b) return 0;
-  const ApproximatePoint &p = places_[a].approximate, &q = places_[b].approximate;
+  const ApproximatePoint &p = approximate_[a], &q = approximate_[b];
   const double u = axis == 0 ? p.x : p.y, v = axis == 0 ? q.x : q.y;
   const double bound =
       (p.error + q.error + 2 * 0x1p-53 * (std::fabs(u) + std::fabs(v))) * kInflate + kernel_.sign().slack;

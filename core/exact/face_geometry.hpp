@@ -25,10 +25,15 @@ class FaceGeometry {
   [[nodiscard]] Index face() const { return face_; }
   [[nodiscard]] Index origin() const { return origin_; }
 
+  /// Makes room for so many points.
+  void reserve(std::size_t points) { points_.reserve(points); }
+
   Index point(const PlanPoint& p);
   /// The point at a source vertex.
   Index sourcePoint(Index planId);
   Index line(const PlanLine& l);
+  /// The same of a line that was not asked for before, nor will be again, except that it may be the face's own edge.
+  Index newLine(const PlanLine& l);
   /// The line of a source edge, by the plan ids of its ends (different ones).
   Index edgeLine(Index planA, Index planB);
   [[nodiscard]] const PlanPoint& operator[](Index point) const { return points_[point]; }
@@ -47,10 +52,12 @@ class FaceGeometry {
 
   /// Sign of the line at the point: +1 left of it.
   int side(Index line, Index point);
+  /// The same of a point that seems to lie on it.
+  int sideNearby(Index line, Index point);
   /// Side of the face's edge k: +1 inside, 0 on it.
   int sideOfEdge(int k, Index point);
   int orientation(Index a, Index b, Index c) {
-    const ApproximatePoint &p = places_[a].approximate, &q = places_[b].approximate, &r = places_[c].approximate;
+    const ApproximatePoint &p = approximate_[a], &q = approximate_[b], &r = approximate_[c];
     const double value = (p.x - r.x) * (q.y - r.y) - (p.y - r.y) * (q.x - r.x);
     if (value > surely_) return 1;
     if (value < -surely_) return -1;
@@ -58,14 +65,15 @@ class FaceGeometry {
   }
   int compare(Index a, Index b, int axis);
 
-  [[nodiscard]] const ApproximatePoint& approximate(Index point) const { return places_[point].approximate; }
+  [[nodiscard]] const ApproximatePoint& approximate(Index point) const { return approximate_[point]; }
+  /// Beyond it, an orientation from approximate coordinates relative to one of its three points is certain.
+  [[nodiscard]] double certainTurn() const { return surely_; }
 
   ExactFallbacks fallbacks;
 
  private:
-  /// What is known of a point. Values that only some decisions need are computed when one does.
+  /// What else is known of a point. Values that only some decisions need are computed when one does.
   struct Place {
-    ApproximatePoint approximate;
     Homogeneous<ErrorDouble> homogeneous;  ///< once hasHomogeneous
     Index exact = -1;                      ///< in exact_
     std::uint8_t border = 0;
@@ -87,14 +95,14 @@ class FaceGeometry {
   };
   [[nodiscard]] bool isSource(Index point) const { return points_[point].kind() == PlanPoint::Source; }
   int orientationBeyondBound(Index a, Index b, Index c);
-  /// Makes surely_ hold for a point as well.
-  void includeInBound(const ApproximatePoint& point);
+  /// Notes where a new point lies, for which surely_ is to hold as well.
+  void place(const ApproximatePoint& point);
   Index borderCrossing(PlanLine l, PlanLine m);
   const Homogeneous<ErrorDouble>& homogeneous(Index point);
   /// The number of a point's, or of a line's, exact coordinates in exact_.
   Index exact(Index point);
   Index exactLine(Index line);
-  [[nodiscard]] bool areKnownCollinear(Index a, Index b, Index c) const;
+  [[nodiscard]] bool areOnSameBorder(Index a, Index b, Index c) const;
 
   const PlanKernel& kernel_;
   Index face_ = -1;
@@ -105,6 +113,7 @@ class FaceGeometry {
   std::size_t sourceCount_ = 0;
   std::uint32_t filling_ = 0;
   NumberedTable<PlanLine> lines_;
+  std::vector<ApproximatePoint> approximate_;
   std::vector<Place> places_;
   std::vector<Line> lineValues_;
   IntegerTriples exact_;

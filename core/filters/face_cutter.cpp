@@ -250,16 +250,15 @@ std::vector<char> FaceCutter::findOpen(const OpenGrid* openCells) const {
 
 void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
   cancelSegments();
-  triangulation_.start();
   std::vector<Index> points;
   points.reserve(2 * segments_.size());
   for (const CutSegment& s : segments_) points.insert(points.end(), {s.from, s.to});
   sortOnce(points);
   sortAlongCurve(geometry_, points);
-  for (const Index p : points) triangulation_.insertPoint(p);
+  triangulation_.start(points);
   for (const CutSegment& s : segments_)
-    triangulation_.insertSegment(triangulation_.insertPoint(s.from), triangulation_.insertPoint(s.to), s.line,
-                                 s.direction, s.winding, s.wall);
+    triangulation_.insertSegment(triangulation_.vertexAt(s.from), triangulation_.vertexAt(s.to), s.line, s.direction,
+                                 s.winding, s.wall);
 
   const auto& cells = triangulation_.cells();
   const std::vector<char> open = findOpen(openCells);
@@ -269,19 +268,20 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if ((++polls_ & 255) == 0) poll_();
     const FaceTriangulation::Cell& c = cells[i];
+    const FaceTriangulation::Edges& edges = triangulation_.edges()[i];
     const bool isOpen = open[i] != 0;
     if (isOpen) grid.open(outlineOf(c));
     for (int k = 0; k < 3; ++k) {
       const Index other = c.neighbors[k];
       const bool isOpenBeyond = other >= 0 && open[other] != 0;
-      bool isWall = c.walls[k] != 0;
+      bool isWall = edges.walls[k] != 0;
       if (isOpen) {  // Between open cells the one with the larger number has the wall, beside a covered one that.
         if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
       } else {
         if (!isOpenBeyond) continue;
       }
-      addSegment(c.corners[k], c.corners[next(k)], c.lines[k], geometry_.side(c.lines[k], c.corners[previous(k)]),
-                 isOpen ? 0 : 1, isWall);
+      addSegment(c.corners[k], c.corners[next(k)], edges.lines[k],
+                 geometry_.side(edges.lines[k], c.corners[previous(k)]), isOpen ? 0 : 1, isWall);
     }
   }
 }

@@ -10,6 +10,7 @@
 #include "core/exact/error_double.hpp"
 #include "core/exact/face_triangulation.hpp"
 #include "core/exact/plan_kernel.hpp"
+#include "core/exact/shape.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "tests/support/exact_turn.hpp"
 
@@ -262,7 +263,8 @@ class TestExact : public QObject {
   }
 
   void triangulation() {
-    // Random segments between points of the family: the cells must tile the face, all the right way round.
+    // Random segments between points of the family: the cells must tile the face, all the right way round, and no edge
+    // may be left that is better flipped.
     Random random(5);
     for (int i = 0; i < 150 * rounds(); ++i) {
       const auto mesh = randomMesh(random, i % 2 == 0 ? Numbers::Tiny : Numbers::Decimal, 8);
@@ -272,11 +274,16 @@ class TestExact : public QObject {
       for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face) {
         if (mesh->facing[face] <= 0) continue;
         geometry.start(face);
-        triangulation.start();
+        std::vector<std::array<Index, 3>> segments;  // from, to, line
         for (Index o = 0; o < static_cast<Index>(mesh->triangles.size()); ++o) {
           const auto& f = mesh->triangles[o];
-          for (int k = 0; k < 3; ++k) insertClipped(geometry, triangulation, f[k], f[(k + 1) % 3]);
+          for (int k = 0; k < 3; ++k) addClipped(geometry, segments, f[k], f[(k + 1) % 3]);
         }
+        std::vector<Index> points;
+        for (const auto& s : segments) points.insert(points.end(), {s[0], s[1]});
+        triangulation.start(points);
+        for (const auto& s : segments)
+          triangulation.insertSegment(triangulation.vertexAt(s[0]), triangulation.vertexAt(s[1]), s[2], 1, 0, true);
         triangulation.dropConstraints();
         triangulation.improve(std::vector<char>(triangulation.cells().size(), 1));
         mpq_class sum = 0;
@@ -290,6 +297,7 @@ class TestExact : public QObject {
         Rational3 p[3];
         for (int k = 0; k < 3; ++k) p[k] = rational(mesh->vertices[mesh->triangles[face][k]]);
         QVERIFY(sum == orientation(p[0], p[1], p[2]));
+        QVERIFY(isDelaunay(geometry, triangulation));
       }
     }
   }
@@ -322,8 +330,27 @@ class TestExact : public QObject {
     }
   }
 
+  static bool isDelaunay(const FaceGeometry& geometry, const FaceTriangulation& triangulation) {
+    const auto& cells = triangulation.cells();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        if (triangulation.edges()[i].lines[k] >= 0) continue;
+        const TriangleCell& other = cells[cells[i].neighbors[k]];
+        const Index beyond = other.corners[previous(neighborSlot(other, static_cast<Index>(i)))];
+        const ApproximatePoint& zero = geometry.approximate(beyond);
+        std::array<std::array<double, 2>, 3> corners;
+        for (int j = 0; j < 3; ++j) {
+          const ApproximatePoint& p = geometry.approximate(cells[i].corners[j]);
+          corners[j] = {p.x - zero.x, p.y - zero.y};
+        }
+        if (isWellInsideCircle(corners[0], corners[1], corners[2])) return false;
+      }
+    }
+    return true;
+  }
+
   // The part of a source edge that lies inside the face.
-  static void insertClipped(FaceGeometry& geometry, FaceTriangulation& triangulation, Index u, Index v) {
+  static void addClipped(FaceGeometry& geometry, std::vector<std::array<Index, 3>>& segments, Index u, Index v) {
     const auto& planIds = geometry.kernel().mesh().planIds;
     const Index a = planIds[u], b = planIds[v];
     if (a == b) return;
@@ -336,9 +363,7 @@ class TestExact : public QObject {
       if (s * t >= 0) continue;
       (s < 0 ? from : to) = geometry.crossing(line, k);
     }
-    if (from == to) return;
-    const Index p = triangulation.insertPoint(from), q = triangulation.insertPoint(to);
-    triangulation.insertSegment(p, q, line, 1, 0, true);
+    if (from != to) segments.push_back({from, to, line});
   }
 };
 
