@@ -28,8 +28,12 @@ void FaceMesher::insertCuts(const FaceCuts& cuts) {
   triangulation_.dropConstraints();
 }
 
-FaceMesh FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
-  FaceMesh result;
+const FaceMesh& FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered) {
+  FaceMesh& result = result_;
+  result.points.clear();
+  result.approximate.clear();
+  result.lines.clear();
+  result.cells.clear();
   if (cuts != nullptr && cuts->removed && !covered) return result;
   geometry_.start(face);
   if (cuts != nullptr)

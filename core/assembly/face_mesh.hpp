@@ -46,7 +46,8 @@ class FaceMesher {
   FaceMesher(const PlanKernel& kernel, Poll poll, std::function<void(std::size_t)> advance = {})
       : geometry_(kernel), triangulation_(geometry_, std::move(poll)), advance_(std::move(advance)) {}
 
-  FaceMesh mesh(Index face, const FaceCuts* cuts, bool covered = false);
+  /// Good until the next call.
+  const FaceMesh& mesh(Index face, const FaceCuts* cuts, bool covered = false);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
 
@@ -56,6 +57,7 @@ class FaceMesher {
   std::vector<Index> points_, lines_;    ///< of the cuts, in the geometry
   std::vector<Index> pointOf_, lineOf_;  ///< of the geometry, in the mesh
   std::vector<char> isTaken_;            ///< for each cell of the triangulation
+  FaceMesh result_;
 
   FaceGeometry geometry_;
   FaceTriangulation triangulation_;

@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{4} << 20;
+constexpr std::size_t kLeastBlock = std::size_t{1} << 16;
 constexpr std::size_t kLongestName = 4096;  // what Linux takes; also what two blocks share
 constexpr std::size_t kHeader = 65536;      // where PLY files name textures
 constexpr std::array<std::string_view, 16> kPictureEndings = {".png",  ".jpg",  ".jpeg", ".tga",  ".bmp", ".tif",
@@ -45,11 +46,13 @@ void readPieces(const std::string& path, std::size_t most, const std::function<v
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return;
   std::ifstream file(path, std::ios::binary);
+  const std::size_t size = fs::file_size(path, error);
+  const std::size_t block = error ? kBlock : std::clamp(size + 1, kLeastBlock, kBlock);  // + 1: to see the end
   std::string piece;
   for (std::size_t done = 0; file && done < most;) {
     const std::size_t kept = std::min(piece.size(), kLongestName);
     piece.erase(0, piece.size() - kept);
-    const std::size_t wanted = std::min(kBlock, most - done);
+    const std::size_t wanted = std::min(block, most - done);
     piece.resize(kept + wanted);
     file.read(piece.data() + kept, static_cast<std::streamsize>(wanted));
     const auto count = static_cast<std::size_t>(file.gcount());

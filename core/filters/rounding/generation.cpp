@@ -142,7 +142,7 @@ class SoupBuilder {
         const Index face = faces[i];
         parts[face] = knownPart(face);
         if (parts[face]) continue;
-        const FaceMesh mesh = mesher->mesh(face, cutsOf(face), true);
+        const FaceMesh& mesh = mesher->mesh(face, cutsOf(face), true);
         const auto part = std::make_shared<CoveredPart>();
         for (const FaceMesh::Cell& cell : mesh.cells) part->triangles.push_back(cell.corners);
         part->places.resize(mesh.points.size());
