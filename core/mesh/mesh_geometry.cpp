@@ -122,13 +122,13 @@ bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
     const double ux = x[m][j] - x[m][i], uy = y[m][j] - y[m][i];
     verdicts[edge] = kSeparates;
     for (int k = 0; k < 3; ++k) {
-      if (others[k] == own[i] || others[k] == own[j]) continue;
       const double side = ux * (y[n][k] - y[m][i]) - uy * (x[n][k] - x[m][i]);
       if (side > bound) {
         verdicts[edge] = kDoesNot;
         break;
       }
-      if (!(side < -bound || isExact)) verdicts[edge] = kDoubtful;
+      if (side < -bound || isExact || others[k] == own[i] || others[k] == own[j]) continue;
+      verdicts[edge] = kDoubtful;
     }
     if (verdicts[edge] == kSeparates) return false;
   }
