@@ -47,6 +47,16 @@ struct FaceCuts {
   /// Whether another face is a floor decided something here: coplanar floors overlap, and one of them stays.
   bool dependsOnFloors = false;
 
+  /// Keeps its memory.
+  void clear() {
+    removed = dependsOnFloors = false;
+    edgeWalls = 0;
+    startWinding = 0;
+    points.clear();
+    borders.clear();
+    lines.clear();
+    segments.clear();
+  }
   [[nodiscard]] bool empty() const { return !removed && edgeWalls == 0 && segments.empty() && !dependsOnFloors; }
 };
 

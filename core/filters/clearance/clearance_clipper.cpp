@@ -21,7 +21,7 @@ namespace footfall::detail {
 ClearanceClipper::ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll)
     : FaceCutter(kernel, poll), level_(level), candidates_(kernel, std::move(isFloor), level, poll) {}
 
-FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
+const FaceCuts& ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
   begin(face);
   if (earlier != nullptr) {
     if (earlier->removed) return *earlier;
@@ -32,7 +32,7 @@ FaceCuts ClearanceClipper::clip(Index face, const FaceCuts* earlier) {
   return cut(candidates_.find(face));
 }
 
-FaceCuts ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
+const FaceCuts& ClearanceClipper::clip(Index face, const std::vector<Index>& known, double knownHeight) {
   begin(face);
   return cut(candidates_.find(face, known, knownHeight));
 }
@@ -140,8 +140,9 @@ bool ClearanceClipper::clipOne(const ClearanceCandidate& candidate) {
   return true;
 }
 
-FaceCuts ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
-  FaceCuts cuts;
+const FaceCuts& ClearanceClipper::cut(std::span<const ClearanceCandidate> candidates) {
+  FaceCuts& cuts = cuts_;
+  cuts.clear();
   cuts.removed =
       candidates_.areKnownToCover() || !(candidates_.areCrowd() ? clipCrowd(candidates) : clipAll(candidates));
   if (!cuts.removed) collect(cuts);

@@ -40,11 +40,12 @@ class ClearanceClipper : private FaceCutter {
   /// Takes what ClearanceCandidates takes.
   ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
-  /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null).
-  FaceCuts clip(Index face, const FaceCuts* earlier);
+  /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null). Good until
+  /// the next call.
+  const FaceCuts& clip(Index face, const FaceCuts* earlier);
 
   /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.
-  FaceCuts clip(Index face, const std::vector<Index>& known, double knownHeight);
+  const FaceCuts& clip(Index face, const std::vector<Index>& known, double knownHeight);
 
   /// The same where earlier cuts are known and only a part of them can have changed. Empty where the face has to be
   /// clipped as a whole.
@@ -79,7 +80,7 @@ class ClearanceClipper : private FaceCutter {
   void clipEdges();
   /// False when obstacles cover the whole face. What is left open is the same as after clipAll().
   bool clipCrowd(std::span<const ClearanceCandidate> candidates);
-  FaceCuts cut(std::span<const ClearanceCandidate> candidates);
+  const FaceCuts& cut(std::span<const ClearanceCandidate> candidates);
   bool addArea(const ClearanceCandidate& candidate);
   void addWholeArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);
@@ -106,6 +107,7 @@ class ClearanceClipper : private FaceCutter {
 
   Index level_;
   ClearanceCandidates candidates_;
+  FaceCuts cuts_;
 
   /// An edge of an obstacle that takes all under it, from the smaller plan id to the larger one.
   struct PlanEdge {

@@ -96,9 +96,9 @@ void ClearancePass::clip(Index face, Worker& own, const std::function<void(doubl
   isChanged_[face] = 1;
   if (clipNearChanges(face, then, own)) return;
   own.clipper_.crowdProgress = progress;
-  const FaceCuts cuts = known_->knowsAll(then)
-                            ? own.clipper_.clip(face, known_->standing(face, then, own.copies_), known_->clearance())
-                            : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr);
+  const FaceCuts& cuts = known_->knowsAll(then)
+                             ? own.clipper_.clip(face, known_->standing(face, then, own.copies_), known_->clearance())
+                             : own.clipper_.clip(face, state_->cuts ? &(*state_->cuts)[face] : nullptr);
   if (!cuts.empty()) cuts_->set(face, keptIn(own.copies_, cuts));
   if (!memory_) return;
   keepCandidates(face, own.clipper_.candidates());
