@@ -88,7 +88,10 @@ void ClearanceCandidates::begin(Index face) {
   ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
   floorZ_ = mesh_.vertices[f[0]].z;
   isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
-  edges_ = edgesOf(face);
+  if (exactOrientations_)
+    planEdges_ = PlanEdges(mesh_.scaled[f[0]], mesh_.scaled[f[1]], mesh_.scaled[f[2]]);
+  else
+    for (int k = 0; k < 3; ++k) edges_[k] = lineThrough(f[k], f[next(k)]);
   findEdgesInBox();
 }
 
@@ -155,11 +158,17 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
 
 // What the box of a part does not cross, the face's own may.
 void ClearanceCandidates::search(const Box& box, bool isPart) {
-  const bool isExact = exactTree_ && !isPart;
-  mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
-    if (crosses || ((!isExact || mesh_.facing[obstacle] == 0) && !onlyTouches(obstacle))) consider(obstacle);
-    return !areKnownToCover_;
-  });
+  if (exactTree_ && !isPart) {
+    mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
+      if (crosses || (mesh_.facing[obstacle] == 0 && !onlyTouches(obstacle))) consider(obstacle);
+      return !areKnownToCover_;
+    });
+  } else {
+    mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+      if (!onlyTouches(obstacle)) consider(obstacle);
+      return !areKnownToCover_;
+    });
+  }
   sort();
 }
 
@@ -322,16 +331,6 @@ ClearanceCandidates::Line ClearanceCandidates::lineThrough(Index from, Index to)
   return {from, to, a.x, a.y, b.x - a.x, b.y - a.y};
 }
 
-ClearanceCandidates::Edges ClearanceCandidates::edgesOf(Index triangle) const {
-  const auto& t = mesh_.triangles[triangle];
-  Edges edges;
-  if (exactOrientations_)
-    edges.exact = PlanEdges(mesh_.scaled[t[0]], mesh_.scaled[t[1]], mesh_.scaled[t[2]]);
-  else
-    for (int k = 0; k < 3; ++k) edges.lines[k] = lineThrough(t[k], t[next(k)]);
-  return edges;
-}
-
 // The kernel's orientation, which doubles decide at once on a grid of few bits. A point above one of the ends is on the
 // line.
 int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
@@ -347,27 +346,42 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   return kernel_.orientation(line.from, line.to, vertex, fallbacks);
 }
 
-CornerSides ClearanceCandidates::sidesOfEdges(const Edges& edges, Index triangle) {
+CornerSides ClearanceCandidates::exactSides(const PlanEdges& edges, Index triangle) const {
   const auto& t = mesh_.triangles[triangle];
   CornerSides sides;
-  if (exactOrientations_) {
-    for (int j = 0; j < 3; ++j) sides[j] = edges.exact.sidesOf(mesh_.scaled[t[j]]);
-    return sides;
+  for (int j = 0; j < 3; ++j) sides[j] = edges.sidesOf(mesh_.scaled[t[j]]);
+  return sides;
+}
+
+template <class LineOf>
+CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index triangle) {
+  const auto& t = mesh_.triangles[triangle];
+  CornerSides sides;
+  for (int k = 0; k < 3; ++k) {
+    const Line line = lineOf(k);
+    int left = 0, right = 0;
+    for (int j = 0; j < 3; ++j) {
+      const int side = sideOf(line, t[j]);
+      left += side > 0 ? 1 : 0;
+      right += side < 0 ? 1 : 0;
+      sides[j].set(static_cast<unsigned>(k), side);
+    }
+    if (left == 0 && right >= 2) break;
   }
-  for (int j = 0; j < 3; ++j)
-    for (unsigned k = 0; k < 3; ++k) sides[j].set(k, sideOf(edges.lines[k], t[j]));
   return sides;
 }
 
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
   const bool isWall = mesh_.facing[candidate.obstacle] == 0;
-  const auto [s0, s1, s2] = sidesOfEdges(edges_, candidate.obstacle);
+  const CornerSides sides = exactOrientations_ ? exactSides(planEdges_, candidate.obstacle)
+                                               : filteredSides([this](int k) { return edges_[k]; }, candidate.obstacle);
+  const auto& [s0, s1, s2] = sides;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   const unsigned outside = 7U & ~(s0.positive | s1.positive | s2.positive);
   const unsigned beside = (s0.negative & s1.negative) | (s1.negative & s2.negative) | (s2.negative & s0.negative);
   if ((isWall ? outside & beside : outside) != 0) return false;
   if (isWall ? isWallApart(candidate.obstacle) : isSeparated(candidate)) return false;
-  setSigns(candidate.sides, {s0, s1, s2});
+  setSigns(candidate.sides, sides);
   return true;
 }
 
@@ -410,9 +424,17 @@ bool ClearanceCandidates::onlyTouches(Index obstacle) const {
 
 // Whether an edge of the obstacle has the whole face on its outer side.
 bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
-  CornerSides sides = sidesOfEdges(edgesOf(candidate.obstacle), face_);
-  if (mesh_.facing[candidate.obstacle] < 0)
-    for (ThreeSigns& corner : sides) std::swap(corner.positive, corner.negative);
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const bool isTurned = mesh_.facing[candidate.obstacle] < 0;
+  CornerSides sides;
+  if (exactOrientations_) {
+    sides = exactSides(PlanEdges(mesh_.scaled[o[0]], mesh_.scaled[o[1]], mesh_.scaled[o[2]]), face_);
+    if (isTurned)
+      for (ThreeSigns& corner : sides) std::swap(corner.positive, corner.negative);
+  } else {
+    sides = filteredSides(
+        [&](int k) { return isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]); }, face_);
+  }
   if ((sides[0].positive | sides[1].positive | sides[2].positive) != 7U) return true;
   setSigns(candidate.corners, sides);
   return false;

@@ -105,14 +105,12 @@ class ClearanceCandidates {
   /// Whether the boxes of face and obstacle have no more in common, in the plan, than a border on which nothing of the
   /// obstacle can stand on the face. False says nothing.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
-  /// A triangle's edges in the plan, from corner k to k + 1, as predicates compute with them.
-  struct Edges {
-    PlanEdges exact;            ///< with exactOrientations_
-    std::array<Line, 3> lines;  ///< otherwise
-  };
-  [[nodiscard]] Edges edgesOf(Index triangle) const;
-  /// On which sides of them the corners of a triangle lie: +1 left.
-  [[nodiscard]] CornerSides sidesOfEdges(const Edges& edges, Index triangle);
+  /// On which sides of a triangle's edges the corners of another one lie, with exactOrientations_: +1 left.
+  [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
+  /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with two
+  /// on its right, stays 0.
+  template <class LineOf>
+  [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle);
   void findEdgesInBox();
   /// Whether an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);
@@ -137,7 +135,9 @@ class ClearanceCandidates {
 
   Index face_ = -1;
   Box box_;  ///< of the face and the clearance above it
-  Edges edges_{};
+  // the face's edges in the plan, from corner k to k + 1
+  PlanEdges planEdges_{};        ///< with exactOrientations_
+  std::array<Line, 3> edges_{};  ///< otherwise
   /// [axis][lower, upper]: from where to where, along the other axis, an edge of the face lies in that side of box_; of
   /// a side with no edge the first is the larger.
   std::array<std::array<std::array<double, 2>, 2>, 2> edgesInBox_{};
