@@ -15,7 +15,7 @@ using Float4 = float __attribute__((vector_size(16)));
 /// What comparing two Float4 gives: all bits of a lane, or none.
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Bit i: lane i of a comparison is true.
+/// Bit i: lane i of a comparison is true, or negative.
 inline unsigned maskOf(Int4 lanes) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));

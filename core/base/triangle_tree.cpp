@@ -417,9 +417,9 @@ void TriangleTree::setFrame(const Box& bounds) {
     half = std::max(half, upper - lower);
   }
   // Differences are at most a rounding above half < 2^exponent. The scale must not become infinite.
-  int exponent = 0;
-  std::frexp(half, &exponent);
-  scale_ = std::ldexp(1.0, -std::max(exponent, -1000));
+  std::frexp(half, &exponent_);
+  exponent_ = std::max(exponent_, -1000);
+  scale_ = std::ldexp(1.0, -exponent_);
 }
 
 void TriangleTree::grow(std::span<TreeItem> items, Poll poll) {

@@ -63,29 +63,34 @@ class TriangleTree {
   /// on the tree alone. visit returns false to stop. `stack` is working memory, to be used again by the next call.
   template <class Visit>
   void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
-    if (empty()) return;
-    if (stack.size() < kStackSize) stack.resize(kStackSize);
-    std::array<Float4, 3> lower, upper;
-    for (int k = 0; k < 3; ++k) {
-      lower[k] = Float4{} + inFrame(query.lower[k], k);
-      upper[k] = Float4{} + inFrame(query.upper[k], k);
-    }
-    const Node* const nodes = &nodes_[0];
-    std::int32_t* const bottom = stack.data();
-    std::int32_t* top = bottom;
-    *top++ = 0;
-    while (top != bottom) {
-      const Node& node = nodes[*--top];
-      const auto hit = (node.lower[0] <= upper[0]) & (node.upper[0] >= lower[0]) & (node.lower[1] <= upper[1]) &
-                       (node.upper[1] >= lower[1]) & (node.lower[2] <= upper[2]) & (node.upper[2] >= lower[2]);
-      for (unsigned hits = maskOf(hit); hits != 0; hits &= hits - 1) {
-        const std::int32_t child = node.children[std::countr_zero(hits)];
-        if (child >= 0)
-          *top++ = child;
-        else if (!visit(~child))
-          return;
+    visitNodes(query, stack, [&](const Node& node, const Range&, unsigned leaves) {
+      for (; leaves != 0; leaves &= leaves - 1)
+        if (!visit(~node.children[std::countr_zero(leaves)])) return false;
+      return true;
+    });
+  }
+
+  /// The same, but visit(id, crosses), where `crosses` says that the boxes have more in common in the plan (of the
+  /// first two axes) than their borders. That it is false says nothing, except where isExactOn() the grid of both.
+  template <class Visit>
+  void visitCrossing(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
+    visitNodes(query, stack, [&](const Node& node, const Range& range, unsigned leaves) {
+      const unsigned crossing = maskOf((node.lower[0] < range.upper[0]) & (node.upper[0] > range.lower[0]) &
+                                       (node.lower[1] < range.upper[1]) & (node.upper[1] > range.lower[1]));
+      for (; leaves != 0; leaves &= leaves - 1) {
+        const int lane = std::countr_zero(leaves);
+        if (!visit(~node.children[lane], (crossing >> lane & 1U) != 0)) return false;
       }
-    }
+      return true;
+    });
+  }
+
+  /// Whether different coordinates stay different in the tree, when those of its boxes, and of queries, are multiples
+  /// of 2^low below 2^top in size.
+  [[nodiscard]] bool isExactOn(int low, int top) const {
+    // The origin, half a sum, and so all differences to it, are multiples of 2^(low - 1), which doubles hold exactly.
+    // Differences of boxes are below 2^exponent, so that floats hold them; a query's beyond that only stay beyond.
+    return top - low <= kDoubleDigits && exponent_ - (low - 1) <= kFloatDigits;
   }
 
   [[nodiscard]] bool empty() const { return nodes_.size() == 0; }
@@ -99,6 +104,39 @@ class TriangleTree {
     std::array<std::int32_t, 4> children;  ///< a node's index, or ~id of a box
   };
 
+  static constexpr int kFloatDigits = 24, kDoubleDigits = 50;
+
+  /// A query in the frame, each bound in all lanes.
+  struct Range {
+    std::array<Float4, 3> lower, upper;
+  };
+
+  /// Calls visit(node, range, leaves) for each node with boxes (one bit for each) that overlap the query.
+  template <class Visit>
+  void visitNodes(const Box& query, std::vector<std::int32_t>& stack, const Visit& visit) const {
+    if (empty()) return;
+    if (stack.size() < kStackSize) stack.resize(kStackSize);
+    Range range;
+    for (int k = 0; k < 3; ++k) {
+      range.lower[k] = Float4{} + inFrame(query.lower[k], k);
+      range.upper[k] = Float4{} + inFrame(query.upper[k], k);
+    }
+    const Node* const nodes = &nodes_[0];
+    std::int32_t* const bottom = stack.data();
+    std::int32_t* top = bottom;
+    *top++ = 0;
+    while (top != bottom) {
+      const Node& node = nodes[*--top];
+      const unsigned hits = maskOf((node.lower[0] <= range.upper[0]) & (node.upper[0] >= range.lower[0]) &
+                                   (node.lower[1] <= range.upper[1]) & (node.upper[1] >= range.lower[1]) &
+                                   (node.lower[2] <= range.upper[2]) & (node.upper[2] >= range.lower[2]));
+      const unsigned leaves = hits & maskOf(std::bit_cast<Int4>(node.children));
+      for (unsigned inner = hits ^ leaves; inner != 0; inner &= inner - 1)
+        *top++ = node.children[std::countr_zero(inner)];
+      if (leaves != 0 && !visit(node, range, leaves)) return;
+    }
+  }
+
   static constexpr std::size_t kParallelSize = 8192;  ///< fewer boxes are not worth a second thread
   static constexpr float kFar = 4;                    ///< all boxes lie within 2 in the frame
   static constexpr std::size_t kStackSize = 192;      ///< more than the builder's depth can need
@@ -111,6 +149,7 @@ class TriangleTree {
   void grow(std::span<TreeItem> items, Poll poll);
 
   std::array<double, 3> origin_{};
+  int exponent_ = 0;  ///< all differences to the origin are below 2^exponent
   double scale_ = 1;
   UnfilledArray<Node> nodes_;
 };

@@ -10,6 +10,7 @@
 
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
+#include "core/exact/grid.hpp"
 
 namespace footfall::detail {
 
@@ -47,6 +48,7 @@ class SourceTree {
     return result;
   }
 
+  /// See TriangleTree.
   template <class Visit>
   void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
     if (!tree_) return;
@@ -60,6 +62,26 @@ class SourceTree {
       return !stopped;
     });
     if (!stopped) added_->visitOverlapping(query, stack, visit);
+  }
+
+  /// See TriangleTree.
+  template <class Visit>
+  void visitCrossing(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
+    if (!tree_) return;
+    if (!numbers_) {
+      tree_->visitCrossing(query, stack, visit);
+      return;
+    }
+    bool stopped = false;
+    tree_->visitCrossing(query, stack, [&](std::int32_t id, bool crosses) {
+      stopped = (*numbers_)[id] >= 0 && !visit((*numbers_)[id], crosses);
+      return !stopped;
+    });
+    if (!stopped) added_->visitCrossing(query, stack, visit);
+  }
+
+  [[nodiscard]] bool isExactOn(const Grid& grid) const {
+    return tree_ && tree_->isExactOn(grid.low, grid.top) && (!added_ || added_->isExactOn(grid.low, grid.top));
   }
 
  private:

@@ -2,6 +2,7 @@
 #include "core/filters/clearance/clearance_candidates.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -17,6 +18,14 @@ constexpr int kDoubleBits = 53;
 // A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
 // added.
 bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
+
+/// Signs by edge, then corner.
+void setSigns(std::array<ClearanceCandidate::Signs, 3>& signs, const CornerSides& sides) {
+  for (int j = 0; j < 3; ++j) {
+    const auto& each = sides[j].each();
+    for (int k = 0; k < 3; ++k) signs[k][j] = each[k];
+  }
+}
 
 }  // namespace
 
@@ -55,6 +64,7 @@ ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function
       poll_(poll) {
   Grid grid = mesh_.grid;
   exactOrientations_ = kernel.hasExactOrientations();
+  exactTree_ = mesh_.tree.isExactOn(grid);
   grid.include(height_);
   exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
 }
@@ -78,7 +88,10 @@ void ClearanceCandidates::begin(Index face) {
   ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
   floorZ_ = mesh_.vertices[f[0]].z;
   isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
-  for (int k = 0; k < 3; ++k) edges_[k] = lineThrough(f[k], f[next(k)]);
+  if (exactOrientations_)
+    planEdges_ = PlanEdges(mesh_.scaled[f[0]], mesh_.scaled[f[1]], mesh_.scaled[f[2]]);
+  else
+    for (int k = 0; k < 3; ++k) edges_[k] = lineThrough(f[k], f[next(k)]);
   findEdgesInBox();
 }
 
@@ -97,7 +110,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, 
     part.lower[axis] = std::max(part.lower[axis], box.lower[axis]);
     part.upper[axis] = std::min(part.upper[axis], box.upper[axis]);
   }
-  search(part);
+  search(part, true);
   return candidates_;
 }
 
@@ -105,7 +118,8 @@ std::span<const ClearanceCandidate> ClearanceCandidates::findAmong(Index face, s
   begin(face);
   mayLeaveOut_ = false;
   isCoverSought_ = true;
-  for (const Index obstacle : obstacles) consider(obstacle);
+  for (const Index obstacle : obstacles)
+    if (!onlyTouches(obstacle)) consider(obstacle);
   sort();
   return candidates_;
 }
@@ -122,7 +136,8 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   }
   mayLeaveOut_ = false;
   isCoverSought_ = true;  // what is found twice must not count twice
-  for (const Index obstacle : known) consider(obstacle);
+  for (const Index obstacle : known)
+    if (!onlyTouches(obstacle)) consider(obstacle);
   if (knownHeight < height_) {
     Box box = box_;
     box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
@@ -141,11 +156,19 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   return candidates_;
 }
 
-void ClearanceCandidates::search(const Box& box) {
-  mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
-    consider(obstacle);
-    return !areKnownToCover_;
-  });
+// What the box of a part does not cross, the face's own may.
+void ClearanceCandidates::search(const Box& box, bool isPart) {
+  if (exactTree_ && !isPart) {
+    mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
+      if (crosses || (mesh_.facing[obstacle] == 0 && !onlyTouches(obstacle))) consider(obstacle);
+      return !areKnownToCover_;
+    });
+  } else {
+    mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+      if (!onlyTouches(obstacle)) consider(obstacle);
+      return !areKnownToCover_;
+    });
+  }
   sort();
 }
 
@@ -157,7 +180,7 @@ void ClearanceCandidates::sort() {
 
 void ClearanceCandidates::consider(Index obstacle) {
   if ((++polls_ & 255) == 0) poll_();
-  if (obstacle == face_ || onlyTouches(obstacle)) return;
+  if (obstacle == face_) return;
   ClearanceCandidate candidate;
   candidate.obstacle = obstacle;
   if (!findHeights(candidate)) return;
@@ -242,59 +265,65 @@ int ClearanceCandidates::compareToCeiling(double z) const {
   return residual > 0 ? 1 : residual < 0 ? -1 : 0;
 }
 
-bool ClearanceCandidates::findHeights(ClearanceCandidate& candidate) {
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[candidate.obstacle];
-  bool above = false, below = false, on = true;
-  const auto note = [&](int j, int floor, int ceiling) {
-    candidate.floor[j] = static_cast<std::int8_t>(floor);
-    candidate.ceiling[j] = static_cast<std::int8_t>(ceiling);
-    above = above || floor > 0;
-    below = below || ceiling < 0;
-    on = on && floor == 0;
-  };
-  if (isLevel_) {
-    const std::array<double, 3> z{mesh_.vertices[o[0]].z, mesh_.vertices[o[1]].z, mesh_.vertices[o[2]].z};
-    const auto [lowest, highest] = std::minmax({z[0], z[1], z[2]});
-    candidate.coplanar = lowest == floorZ_ && highest == floorZ_;
-    if (!candidate.coplanar && (highest <= floorZ_ || (lowest > floorZ_ && compareToCeiling(lowest) >= 0)))
-      return false;
-    for (int j = 0; j < 3; ++j) {
-      const int floor = z[j] > floorZ_ ? 1 : z[j] < floorZ_ ? -1 : 0;
-      note(j, floor, floor > 0 ? compareToCeiling(z[j]) : -1);
-    }
-    return true;
+ClearanceCandidates::HeightBits ClearanceCandidates::levelHeights(const std::array<Index, 3>& obstacle) const {
+  const std::array<double, 3> z{mesh_.vertices[obstacle[0]].z, mesh_.vertices[obstacle[1]].z,
+                                mesh_.vertices[obstacle[2]].z};
+  const Three three{Double2{z[0], z[1]}, z[2]};
+  HeightBits heights{ThreeSigns::above(three, floorZ_), {}};
+  heights.ceiling = ThreeSigns::above({three.first - floorZ_, three.last - floorZ_}, height_);
+  for (unsigned rest = heights.floor.positive & ~(heights.ceiling.positive | heights.ceiling.negative); rest != 0;
+       rest &= rest - 1) {
+    const int corner = std::countr_zero(rest);
+    heights.ceiling.set(static_cast<unsigned>(corner), compareToCeiling(z[corner]));
   }
+  return heights;
+}
+
+ClearanceCandidates::HeightBits ClearanceCandidates::exactHeights(const std::array<Index, 3>& obstacle) const {
+  const Vec3& base = mesh_.scaled[mesh_.triangles[face_][0]];
+  const Vec3 &a = mesh_.scaled[obstacle[0]], &b = mesh_.scaled[obstacle[1]], &c = mesh_.scaled[obstacle[2]];
+  const Three value{
+      nx_ * (Double2{a.x, b.x} - base.x) + ny_ * (Double2{a.y, b.y} - base.y) + nz_ * (Double2{a.z, b.z} - base.z),
+      nx_ * (c.x - base.x) + ny_ * (c.y - base.y) + nz_ * (c.z - base.z)};
+  return {ThreeSigns::above(value, 0), ThreeSigns::above(value, nz_ * scaledHeight_)};
+}
+
+ClearanceCandidates::HeightBits ClearanceCandidates::filteredHeights(const std::array<Index, 3>& obstacle) {
+  HeightBits heights;
+  const auto& f = mesh_.triangles[face_];
   const Vec3& base = mesh_.scaled[f[0]];
   const double slack = kernel_.sign().slack;
-  for (int j = 0; j < 3; ++j) {
-    const Index v = o[j];
-    if (v == f[0] || v == f[1] || v == f[2]) {
-      note(j, 0, -1);
-      continue;
+  for (unsigned j = 0; j < 3; ++j) {
+    const Index v = obstacle[j];
+    int floor = 0, ceiling = -1;
+    if (v != f[0] && v != f[1] && v != f[2]) {
+      const Vec3& p = mesh_.scaled[v];
+      const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
+      const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
+      const double value = tx + ty + tz;
+      // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
+      const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
+                            ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
+                               kInflate +
+                           slack;
+      floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, fallbacks);
+      if (floor > 0)
+        ceiling = value - th > bound ? 1 : value - th < -bound ? -1 : kernel_.heightSign(face_, v, level_, fallbacks);
     }
-    const Vec3& p = mesh_.scaled[v];
-    const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
-    const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
-    const double value = tx + ty + tz;
-    if (exactHeights_) {
-      const double over = value - th;
-      note(j, value > 0 ? 1 : value < 0 ? -1 : 0, over > 0 ? 1 : over < 0 ? -1 : 0);
-      continue;
-    }
-    // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
-    const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
-                          ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
-                             kInflate +
-                         slack;
-    const int floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, fallbacks);
-    int ceiling = -1;
-    if (floor > 0)
-      ceiling = value - th > bound ? 1 : value - th < -bound ? -1 : kernel_.heightSign(face_, v, level_, fallbacks);
-    note(j, floor, ceiling);
+    heights.floor.set(j, floor);
+    heights.ceiling.set(j, ceiling);
   }
-  candidate.coplanar = on;
-  return on || (above && below);
+  return heights;
+}
+
+bool ClearanceCandidates::findHeights(ClearanceCandidate& candidate) {
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const HeightBits heights = isLevel_ ? levelHeights(o) : exactHeights_ ? exactHeights(o) : filteredHeights(o);
+  candidate.coplanar = (heights.floor.positive | heights.floor.negative) == 0;
+  if (!candidate.coplanar && (heights.floor.positive == 0 || heights.ceiling.negative == 0)) return false;
+  candidate.floor = heights.floor.each();
+  candidate.ceiling = heights.ceiling.each();
+  return true;
 }
 
 ClearanceCandidates::Line ClearanceCandidates::lineThrough(Index from, Index to) const {
@@ -317,27 +346,43 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   return kernel_.orientation(line.from, line.to, vertex, fallbacks);
 }
 
-std::array<int, 3> ClearanceCandidates::sidesOf(const Line& line, const std::array<Index, 3>& triangle) {
-  if (!exactOrientations_) return {sideOf(line, triangle[0]), sideOf(line, triangle[1]), sideOf(line, triangle[2])};
-  const auto side = [&](Index vertex) {
-    const Vec3& at = mesh_.scaled[vertex];
-    const double value = line.dx * (at.y - line.y) - line.dy * (at.x - line.x);
-    return (value > 0) - (value < 0);
-  };
-  return {side(triangle[0]), side(triangle[1]), side(triangle[2])};
+CornerSides ClearanceCandidates::exactSides(const PlanEdges& edges, Index triangle) const {
+  const auto& t = mesh_.triangles[triangle];
+  CornerSides sides;
+  for (int j = 0; j < 3; ++j) sides[j] = edges.sidesOf(mesh_.scaled[t[j]]);
+  return sides;
+}
+
+template <class LineOf>
+CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index triangle) {
+  const auto& t = mesh_.triangles[triangle];
+  CornerSides sides;
+  for (int k = 0; k < 3; ++k) {
+    const Line line = lineOf(k);
+    int left = 0, right = 0;
+    for (int j = 0; j < 3; ++j) {
+      const int side = sideOf(line, t[j]);
+      left += side > 0 ? 1 : 0;
+      right += side < 0 ? 1 : 0;
+      sides[j].set(static_cast<unsigned>(k), side);
+    }
+    if (left == 0 && right >= 2) break;
+  }
+  return sides;
 }
 
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
-  const Index obstacle = candidate.obstacle;
-  const auto& o = mesh_.triangles[obstacle];
-  const bool isWall = mesh_.facing[obstacle] == 0;
+  const bool isWall = mesh_.facing[candidate.obstacle] == 0;
+  const CornerSides sides = exactOrientations_ ? exactSides(planEdges_, candidate.obstacle)
+                                               : filteredSides([this](int k) { return edges_[k]; }, candidate.obstacle);
+  const auto& [s0, s1, s2] = sides;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
-  for (int k = 0; k < 3; ++k) {
-    const auto [s0, s1, s2] = sidesOf(edges_[k], o);
-    candidate.sides[k] = {static_cast<std::int8_t>(s0), static_cast<std::int8_t>(s1), static_cast<std::int8_t>(s2)};
-    if (s0 <= 0 && s1 <= 0 && s2 <= 0 && !(isWall && (s0 == 0) + (s1 == 0) + (s2 == 0) >= 2)) return false;
-  }
-  return !isSeparated(candidate);
+  const unsigned outside = 7U & ~(s0.positive | s1.positive | s2.positive);
+  const unsigned beside = (s0.negative & s1.negative) | (s1.negative & s2.negative) | (s2.negative & s0.negative);
+  if ((isWall ? outside & beside : outside) != 0) return false;
+  if (isWall ? isWallApart(candidate.obstacle) : isSeparated(candidate)) return false;
+  setSigns(candidate.sides, sides);
+  return true;
 }
 
 void ClearanceCandidates::findEdgesInBox() {
@@ -377,32 +422,35 @@ bool ClearanceCandidates::onlyTouches(Index obstacle) const {
   return false;
 }
 
-// Whether an edge of the obstacle, or the line of a wall, has the whole face on its outer side.
+// Whether an edge of the obstacle has the whole face on its outer side.
 bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
-  const Index obstacle = candidate.obstacle;
-  const auto& f = mesh_.triangles[face_];
-  const auto& o = mesh_.triangles[obstacle];
-  const int facing = mesh_.facing[obstacle];
-  if (facing != 0) {
-    for (int k = 0; k < 3; ++k) {
-      const Line edge = facing > 0 ? lineThrough(o[k], o[next(k)]) : lineThrough(o[next(k)], o[k]);
-      const auto [s0, s1, s2] = sidesOf(edge, f);
-      candidate.corners[k] = {static_cast<std::int8_t>(s0), static_cast<std::int8_t>(s1), static_cast<std::int8_t>(s2)};
-      if (s0 <= 0 && s1 <= 0 && s2 <= 0) return true;
-    }
-    return false;
+  const auto& o = mesh_.triangles[candidate.obstacle];
+  const bool isTurned = mesh_.facing[candidate.obstacle] < 0;
+  CornerSides sides;
+  if (exactOrientations_) {
+    sides = exactSides(PlanEdges(mesh_.scaled[o[0]], mesh_.scaled[o[1]], mesh_.scaled[o[2]]), face_);
+    if (isTurned)
+      for (ThreeSigns& corner : sides) std::swap(corner.positive, corner.negative);
+  } else {
+    sides = filteredSides(
+        [&](int k) { return isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]); }, face_);
   }
-  // A wall must not have the whole face strictly on one side, nor touch it in a corner only.
+  if ((sides[0].positive | sides[1].positive | sides[2].positive) != 7U) return true;
+  setSigns(candidate.corners, sides);
+  return false;
+}
+
+// A wall must not have the whole face strictly on one side, nor touch it in a corner only.
+bool ClearanceCandidates::isWallApart(Index wall) {
+  const auto& f = mesh_.triangles[face_];
+  const auto& o = mesh_.triangles[wall];
   Index a = -1, b = -1;
   for (int k = 0; k < 3 && a < 0; ++k)
     if (mesh_.planIds[o[k]] != mesh_.planIds[o[next(k)]]) a = o[k], b = o[next(k)];
   const Line foot = lineThrough(a, b);
-  int left = 0, right = 0;
-  for (const int s : sidesOf(foot, f)) {
-    left += s > 0;
-    right += s < 0;
-  }
-  return left == 3 || right == 3 || (left == 2 && right == 0) || (right == 2 && left == 0);
+  ThreeSigns sides;
+  for (unsigned j = 0; j < 3; ++j) sides.set(j, sideOf(foot, f[j]));
+  return (sides.negative == 0 && areTwo(sides.positive)) || (sides.positive == 0 && areTwo(sides.negative));
 }
 
 }  // namespace footfall::detail

@@ -12,6 +12,7 @@
 #include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/filters/clearance/crowding.hpp"
+#include "core/filters/clearance/three_signs.hpp"
 #include "core/filters/open_grid.hpp"
 #include "footfall/statistics.hpp"
 
@@ -76,7 +77,8 @@ class ClearanceCandidates {
 
  private:
   void begin(Index face);
-  void search(const Box& box);
+  /// Considers what overlaps the box, which is that of the face or, where `isPart`, less of it in the plan.
+  void search(const Box& box, bool isPart = false);
   void sort();
   void consider(Index obstacle);
   /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
@@ -84,10 +86,18 @@ class ClearanceCandidates {
   [[nodiscard]] int compareToCeiling(double z) const;
   /// False when obstacle and face do not overlap in the plan; finds the sides.
   bool findOverlap(ClearanceCandidate& candidate);
+  /// The signs of the heights of the obstacle's corners above the floor, and of those above the clearance (-1 where the
+  /// first is not 1).
+  struct HeightBits {
+    ThreeSigns floor, ceiling;
+  };
+  [[nodiscard]] HeightBits levelHeights(const std::array<Index, 3>& obstacle) const;
+  [[nodiscard]] HeightBits exactHeights(const std::array<Index, 3>& obstacle) const;
+  [[nodiscard]] HeightBits filteredHeights(const std::array<Index, 3>& obstacle);
   /// A line of the plan through two source vertices, as doubles compute with it.
   struct Line {
-    Index from = -1, to = -1;
-    double x = 0, y = 0, dx = 0, dy = 0;  ///< scaled
+    Index from, to;
+    double x, y, dx, dy;  ///< scaled
   };
   [[nodiscard]] Line lineThrough(Index from, Index to) const;
   /// Side of the line on which the source vertex lies in the plan: +1 left.
@@ -95,10 +105,16 @@ class ClearanceCandidates {
   /// Whether the boxes of face and obstacle have no more in common, in the plan, than a border on which nothing of the
   /// obstacle can stand on the face. False says nothing.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
-  /// The same of the corners of a triangle.
-  [[nodiscard]] std::array<int, 3> sidesOf(const Line& line, const std::array<Index, 3>& triangle);
+  /// On which sides of a triangle's edges the corners of another one lie, with exactOrientations_: +1 left.
+  [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
+  /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with two
+  /// on its right, stays 0.
+  template <class LineOf>
+  [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle);
   void findEdgesInBox();
+  /// Whether an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);
+  [[nodiscard]] bool isWallApart(Index wall);
   /// Whether each cell of a grid over the face lies under one obstacle that takes all.
   bool proveCover();
   /// Makes openCells() of the candidates when that is due.
@@ -115,11 +131,13 @@ class ClearanceCandidates {
   double scaledHeight_;
   Poll poll_;
   std::uint32_t polls_ = 0;
-  bool exactOrientations_ = false, exactHeights_ = false;
+  bool exactOrientations_ = false, exactHeights_ = false, exactTree_ = false;
 
   Index face_ = -1;
-  Box box_;                    ///< of the face and the clearance above it
-  std::array<Line, 3> edges_;  ///< from corner k to k + 1
+  Box box_;  ///< of the face and the clearance above it
+  // the face's edges in the plan, from corner k to k + 1
+  PlanEdges planEdges_{};        ///< with exactOrientations_
+  std::array<Line, 3> edges_{};  ///< otherwise
   /// [axis][lower, upper]: from where to where, along the other axis, an edge of the face lies in that side of box_; of
   /// a side with no edge the first is the larger.
   std::array<std::array<std::array<double, 2>, 2>, 2> edgesInBox_{};

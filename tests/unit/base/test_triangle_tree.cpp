@@ -137,6 +137,44 @@ class TestTriangleTree : public QObject {
     }
   }
 
+  // Boxes that only touch in the plan are told from others: for certain on a grid of few bits, else never too many.
+  void crossingIsToldFromTouching() {
+    Random random(6);
+    const auto cross = [](const Box& a, const Box& b) {
+      return a.lower[0] < b.upper[0] && a.upper[0] > b.lower[0] && a.lower[1] < b.upper[1] && a.upper[1] > b.lower[1];
+    };
+    for (const double unit : {0.25, 0x1p-40, 0x1p-24}) {
+      std::vector<Box> boxes(3000);
+      for (Box& box : boxes)
+        for (int k = 0; k < 3; ++k) {
+          box.lower[k] = integer(random, 0, 39) + unit * integer(random, 0, 2);
+          box.upper[k] = box.lower[k] + integer(random, 0, 3) + unit * integer(random, 0, 2);
+        }
+      std::vector<std::int32_t> ids(boxes.size()), stack;
+      std::iota(ids.begin(), ids.end(), 0);
+      TriangleTree tree;
+      tree.build(boxes, ids);
+      const bool isExact = tree.isExactOn(std::ilogb(unit), 6);
+      QCOMPARE(isExact, unit == 0.25);
+      int crossing = 0, touching = 0;
+      for (const Box& query : boxes) {
+        std::size_t found = 0;
+        tree.visitCrossing(query, stack, [&](std::int32_t id, bool crosses) {
+          ++found;
+          const bool doCross = cross(boxes[id], query);
+          if (isExact ? crosses != doCross : crosses && !doCross) found += boxes.size();
+          if (overlaps(boxes[id], query)) ++(doCross ? crossing : touching);
+          return true;
+        });
+        QCOMPARE(found, visited(tree, query).size());
+      }
+      QVERIFY(crossing > 1000 && touching > 1000);
+    }
+    TriangleTree none;
+    none.build({}, {});
+    QVERIFY(none.isExactOn(-10, 10));
+  }
+
   // What is reported besides lies within the rounding of floats, whatever the size of the numbers.
   void littleElseIsFound() {
     Random random(2);

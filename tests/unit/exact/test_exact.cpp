@@ -12,6 +12,7 @@
 #include "core/exact/plan_kernel.hpp"
 #include "core/exact/shape.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "core/filters/clearance/three_signs.hpp"
 #include "tests/support/exact_turn.hpp"
 
 using namespace footfall;
@@ -253,6 +254,15 @@ class TestExact : public QObject {
         const Rational3 n = rationalNormal(mesh->vertices[a], mesh->vertices[b], mesh->vertices[c]);
         QCOMPARE(kernel.orientation(a, b, c, count), sgn(n[2]));
         QCOMPARE(int(mesh->facing[t]), sgn(n[2]));
+        if (width <= 25) {
+          const PlanEdges edges(mesh->scaled[a], mesh->scaled[b], mesh->scaled[c]);
+          const std::array<Index, 4> corners{a, b, c, a};
+          for (Index v = 0; v < static_cast<Index>(mesh->vertices.size()); ++v) {
+            const auto sides = edges.sidesOf(mesh->scaled[v]).each();
+            for (int k = 0; k < 3; ++k)
+              QCOMPARE(int(sides[k]), kernel.orientation(corners[k], corners[k + 1], v, count));
+          }
+        }
         const mpq_class scale(std::ldexp(1.0, 2 * mesh->grid.scaleExponent()));
         for (int k = 0; k < 3; ++k) {
           const ErrorDouble component = mesh->normals[t][k];

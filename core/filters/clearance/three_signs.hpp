@@ -1,0 +1,73 @@
+// The signs of a number at each corner of a triangle, as bits that are decided and asked at once.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/double2.hpp"
+#include "footfall/geometry.hpp"
+
+namespace footfall::detail {
+
+/// A number at each of three corners.
+struct Three {
+  Double2 first;  ///< at the corners 0 and 1
+  double last;
+};
+
+/// Bit j of one or the other for the corner j; of none where the number is 0.
+struct ThreeSigns {
+  unsigned positive = 0, negative = 0;
+
+  void set(unsigned corner, int sign) {
+    positive |= (sign > 0 ? 1U : 0U) << corner;
+    negative |= (sign < 0 ? 1U : 0U) << corner;
+  }
+
+  /// +1, 0 or -1 of each corner.
+  [[nodiscard]] const std::array<std::int8_t, 3>& each() const { return kEach[negative << 3U | positive]; }
+
+  /// Of numbers without rounding: what `numbers - bound` is.
+  static ThreeSigns above(const Three& numbers, double bound) {
+    return {maskOf(numbers.first > bound) | (numbers.last > bound ? 4U : 0U),
+            maskOf(numbers.first < bound) | (numbers.last < bound ? 4U : 0U)};
+  }
+
+ private:
+  static constexpr std::array<std::array<std::int8_t, 3>, 64> kEach = [] {
+    std::array<std::array<std::int8_t, 3>, 64> each{};
+    for (int bits = 0; bits < 64; ++bits)
+      for (int j = 0; j < 3; ++j) each[bits][j] = static_cast<std::int8_t>((bits >> j & 1) - (bits >> (j + 3) & 1));
+    return each;
+  }();
+};
+
+/// Whether at least two bits are set.
+[[nodiscard]] constexpr bool areTwo(unsigned bits) { return (bits & (bits - 1)) != 0; }
+
+/// The edges of a triangle in the plan (corner k to k + 1) as lines a x + b y + c, which are positive to the left.
+/// Where Grid::hasExactOrientations() of all places, with coordinates below 2^w in units of the grid, every step is
+/// below 2^(2 w + 3) and so without a rounding.
+struct PlanEdges {
+  Three a, b, c;
+
+  PlanEdges() = default;
+  PlanEdges(const Vec3& p, const Vec3& q, const Vec3& r) {
+    const Double2 x{p.x, q.x}, nextX{q.x, r.x}, y{p.y, q.y}, nextY{q.y, r.y};
+    a = {y - nextY, r.y - p.y};
+    b = {nextX - x, p.x - r.x};
+    c = {x * nextY - nextX * y, r.x * p.y - p.x * r.y};
+  }
+
+  /// On which side of each edge the place lies.
+  [[nodiscard]] ThreeSigns sidesOf(const Vec3& place) const {
+    return ThreeSigns::above(
+        {a.first * place.x + b.first * place.y + c.first, a.last * place.x + b.last * place.y + c.last}, 0);
+  }
+};
+
+/// On which side of each edge of one triangle the corners of another one lie.
+using CornerSides = std::array<ThreeSigns, 3>;
+
+}  // namespace footfall::detail
