@@ -11,7 +11,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kWidth = 4;      // children of a node
-constexpr std::size_t kSlabSize = 16;  // smaller nodes are split by count, to fill those below; larger ones by area
+constexpr std::size_t kSlabSize = 32;  // smaller nodes are split by count, to fill those below; larger ones by area
 constexpr int kBins = 16;
 // Below this depth everything is split by count, so that no input makes the tree, and the recursion, deep.
 constexpr int kAreaDepth = 24;
