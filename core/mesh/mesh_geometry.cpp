@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/geometry.hpp"
 #include "core/exact/face_geometry.hpp"
 
 namespace footfall::detail {
@@ -113,27 +114,27 @@ bool MeshGeometry::overlap(const PlanTriangle& s, const PlanTriangle& t) {
     const double f = 2 * std::max(s.error, t.error) + 4 * 0x1p-53 * size;
     bound = (8 * size * f + 2 * f * f + 32 * 0x1p-53 * size * size) * kInflate + kernel_.sign().slack;
   }
-  enum { kSeparates, kDoubtful, kDoesNot };
-  std::array<int, 6> verdicts{};
-  for (int edge = 0; edge < 6; ++edge) {
-    const int m = edge / 3, n = 1 - m, i = edge % 3, j = (i + 1) % 3;
-    const auto& others = (m == 0 ? t : s).corners;
+  std::array<bool, 6> isDoubtful{};
+  for (int m = 0; m < 2; ++m) {
+    const int n = 1 - m;
     const auto& own = (m == 0 ? s : t).corners;
-    const double ux = x[m][j] - x[m][i], uy = y[m][j] - y[m][i];
-    verdicts[edge] = kSeparates;
-    for (int k = 0; k < 3; ++k) {
-      const double side = ux * (y[n][k] - y[m][i]) - uy * (x[n][k] - x[m][i]);
-      if (side > bound) {
-        verdicts[edge] = kDoesNot;
-        break;
-      }
-      if (side < -bound || isExact || others[k] == own[i] || others[k] == own[j]) continue;
-      verdicts[edge] = kDoubtful;
+    const auto& others = (m == 0 ? t : s).corners;
+    for (int i = 0; i < 3; ++i) {
+      const int j = next(i);
+      const double ux = x[m][j] - x[m][i], uy = y[m][j] - y[m][i];
+      std::array<double, 3> sides{};
+      for (int k = 0; k < 3; ++k) sides[k] = ux * (y[n][k] - y[m][i]) - uy * (x[n][k] - x[m][i]);
+      if (std::max({sides[0], sides[1], sides[2]}) > bound) continue;
+      // Corners that both have are on the edge.
+      const auto isOutside = [&](int k) {
+        return sides[k] < -bound || isExact || others[k] == own[i] || others[k] == own[j];
+      };
+      if (isOutside(0) && isOutside(1) && isOutside(2)) return false;
+      isDoubtful[3 * m + i] = true;
     }
-    if (verdicts[edge] == kSeparates) return false;
   }
   for (int edge = 0; edge < 6; ++edge) {
-    if (verdicts[edge] == kDoesNot) continue;
+    if (!isDoubtful[edge]) continue;
     const auto& own = (edge < 3 ? s : t).corners;
     const auto& others = (edge < 3 ? t : s).corners;
     const Index a = own[edge % 3], b = own[(edge + 1) % 3];
