@@ -6,7 +6,6 @@
 // neighbours along a curve ask together, unless too much is around them. All of this only chooses what is compared:
 // boxes hold what they stand for, whatever is rounded.
 #include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
@@ -23,7 +22,7 @@
 
 namespace footfall::detail {
 
-/// A box in floats relative to some centre, all rounded monotonically: boxes that overlap still do. Lane 3 is not used.
+/// A box in floats relative to some centre, all rounded monotonically: boxes that overlap still do. Lane 3 is 0.
 struct FloatBox {
   Float4 lower, upper;
 };
@@ -31,6 +30,7 @@ struct FloatBox {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
+constexpr std::size_t kFacesPolled = 256;
 constexpr std::size_t kVerticesPerTask = 4096;
 constexpr std::size_t kEntriesPerTask = 8192;
 constexpr std::size_t kSearchedPerTask = 1024;
@@ -263,7 +263,6 @@ std::vector<Index> MeshJoiner::entriesToSearch() const {
   if (earlier_ != nullptr) {
     std::vector<Index> entryOf(mesh_.triangles.size(), -1);
     for (std::size_t i = 0; i < count; ++i) entryOf[memory_.entries[i].face] = static_cast<Index>(i);
-    // Working memory:
     std::vector<std::int32_t> stack;
     for (const Index face : changed_) {
       if (entryOf[face] < 0) continue;
@@ -310,12 +309,12 @@ void MeshJoiner::fillBoxes(const std::vector<char>& isSearched, Search& search, 
 }
 
 void MeshJoiner::buildTree(const std::vector<Index>& entries, Search& search, RunContext& context) const {
-  if (outlines_.size() <= kManyOutlines) return;
   std::vector<Index> outlines;
   for (std::size_t n = 0; n < entries.size(); ++n) {
     if (n % kPolled == 0) context.checkCancelled();
     const Index first = memory_.entries[entries[n]].firstOutline, end = memory_.entries[entries[n] + 1].firstOutline;
-    for (Index i = first; end - first > kManyOutlines && i < end; ++i) outlines.push_back(i);
+    if (end - first <= kManyOutlines) continue;
+    for (Index i = first; i < end; ++i) outlines.push_back(i);
   }
   if (outlines.empty()) return;
   const auto boxOf = [&](std::size_t n) {
@@ -332,6 +331,10 @@ void MeshJoiner::buildTree(const std::vector<Index>& entries, Search& search, Ru
 
 void MeshJoiner::compare(Index vertex, Index number, const Outline& outline, Found& found, RunContext& context) const {
   context.checkCancelled();  // on a wide grid one comparison can take a tenth of a millisecond
+  // Far from the middle of all vertices floats tell little.
+  if (!overlap(boxAround(vertices_[vertex]),
+               whole(boxAround(vertices_[outline.from]), boxAround(vertices_[outline.to]))))
+    return;
   const Relation relation = relate(vertex, outline, found.fallbacks);
   if (relation == Relation::Between) found.between.push_back({number, vertex});
   if (relation == Relation::AtStart) found.equal.emplace_back(vertex, outline.from);
@@ -378,7 +381,9 @@ bool MeshJoiner::findTogether(std::span<const Index> vertices, const Search& sea
   if (!listOverlapping(mesh_.tree, box, mostAround(vertices), found.stack, found.faces)) return false;
   const Group group(vertices, search);
   bool anyCrowded = false;
-  for (const Index face : found.faces) {
+  for (std::size_t n = 0; n < found.faces.size(); ++n) {
+    if (n % kFacesPolled == 0) context.checkCancelled();
+    const Index face = found.faces[n];
     const Index entry = search.entryOf[face];
     if (entry < 0) continue;
     const Index first = memory_.entries[entry].firstOutline, end = memory_.entries[entry + 1].firstOutline;

@@ -68,7 +68,7 @@ void returnFreedMemory() noexcept {
 
 void keepFreedMemory() noexcept {
 #ifdef __GLIBC__
-  constexpr int kLargestKept = 32 << 20;  // more than that glibc does not take for a threshold
+  constexpr int kLargestKept = 32 << 20;  // the most that glibc takes on machines of 64 bits
   constexpr int kGrowth = 4 << 20;
   mallopt(M_MMAP_THRESHOLD, kLargestKept);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());

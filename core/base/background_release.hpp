@@ -17,9 +17,9 @@ void releaseInBackground(std::shared_ptr<const void> thing) noexcept;
 /// for some tens of megabytes.
 void returnFreedMemory() noexcept;
 
-/// From now on the process keeps what it frees for what it needs next, up to returnFreedMemory(): clearing and
-/// mapping new pages is up to a fifth of a run over a million triangles. For programs that compute once and end; not
-/// for those that wait for a person, or keep within a bound of memory.
+/// From now on the process keeps most of what it frees for what it needs next, up to returnFreedMemory(); blocks above
+/// 32 MB and what threads had alone may still go. New pages are up to a fifth of a run over a million triangles. For
+/// programs that compute once and end; not for those that wait for a person, or keep within a bound of memory.
 void keepFreedMemory() noexcept;
 
 /// Holds references to things that may be large. When an exception passes, the references that are the last to a thing

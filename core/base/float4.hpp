@@ -20,7 +20,7 @@ inline unsigned maskOf(Int4 lanes) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));
 #else
-  return (lanes[0] & 1U) | (lanes[1] & 2U) | (lanes[2] & 4U) | (lanes[3] & 8U);
+  return (lanes[0] < 0 ? 1U : 0U) | (lanes[1] < 0 ? 2U : 0U) | (lanes[2] < 0 ? 4U : 0U) | (lanes[3] < 0 ? 8U : 0U);
 #endif
 }
 

@@ -88,8 +88,9 @@ class TriangleTree {
   /// Whether different coordinates stay different in the tree, when those of its boxes, and of queries, are multiples
   /// of 2^low below 2^top in size.
   [[nodiscard]] bool isExactOn(int low, int top) const {
-    // The origin, half a sum, and so all differences to it, are multiples of 2^(low - 1), which doubles hold exactly.
-    // Differences of boxes are below 2^exponent, so that floats hold them; a query's beyond that only stay beyond.
+    // All go through one monotone function, so equal ones stay equal. Different ones are 2^low apart, and within the
+    // boxes doubles and floats lie closer than that; the origin need be no such multiple (it may be that of an
+    // environment before edits). A query's beyond the boxes only stay beyond.
     return top - low <= kDoubleDigits && exponent_ - (low - 1) <= kFloatDigits;
   }
 

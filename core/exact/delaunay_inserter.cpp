@@ -8,7 +8,7 @@ namespace footfall::detail {
 
 namespace {
 
-/// Of one point: far more than any needs whose rounded coordinates do not deceive.
+/// Of one point: bounds the time, FaceTriangulation::improve() does the rest.
 constexpr int kMostFlips = 500;
 
 }  // namespace
@@ -128,6 +128,7 @@ void DelaunayInserter::legalize() {
       const Corner d = cornerAt(apex);
       if (isWorse(apex, d)) {
         ++flips;
+        poll();
         cells_.flip(at.cell, at.k);
         const Suspect beyond{other, 0, d, b};
         at.k = 0;

@@ -52,7 +52,7 @@ class FaceGeometry {
 
   /// Sign of the line at the point: +1 left of it.
   int side(Index line, Index point);
-  /// The same of a point that seems to lie on it.
+  /// The same, sooner of a point that seems to lie on it: what it was made of is asked before doubles.
   int sideNearby(Index line, Index point);
   /// Side of the face's edge k: +1 inside, 0 on it.
   int sideOfEdge(int k, Index point);

@@ -80,8 +80,10 @@ class SourceTree {
     if (!stopped) added_->visitCrossing(query, stack, visit);
   }
 
+  /// Whether different coordinates of triangles on the grid stay different here (TriangleTree::isExactOn()).
   [[nodiscard]] bool isExactOn(const Grid& grid) const {
-    return tree_ && tree_->isExactOn(grid.low, grid.top) && (!added_ || added_->isExactOn(grid.low, grid.top));
+    const auto isExact = [&](const TriangleTree& tree) { return tree.empty() || tree.isExactOn(grid.low, grid.top); };
+    return tree_ && isExact(*tree_) && (!added_ || isExact(*added_));
   }
 
  private:

@@ -13,7 +13,7 @@ namespace footfall::detail {
 /// A triangle; edge k runs from corner k to corner k + 1.
 struct TriangleCell {
   std::array<Index, 3> corners{};
-  std::array<Index, 3> neighbors{};  ///< ~k beyond edge k of the first cell, which is negative
+  std::array<Index, 3> neighbors{};  ///< beyond the first cell's edges negative: ~v, v being where such an edge starts
 };
 
 inline int cornerOf(const TriangleCell& cell, Index vertex) {
@@ -28,7 +28,7 @@ inline int neighborSlot(const TriangleCell& cell, Index neighbor) {
 /// elsewhere (FaceTriangulation).
 class TriangleCells {
  public:
-  /// Makes the first cell the only one. Its edge k is the one that starts at vertex k, of 0, 1, 2.
+  /// Makes the first cell the only one. Its corners are the vertices 0, 1, 2 in some order.
   void start(const std::array<Index, 3>& corners);
   /// Makes room for vertices with numbers below `count`.
   void growVertices(std::size_t count) {

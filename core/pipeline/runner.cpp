@@ -24,6 +24,8 @@ constexpr Pattern kAtPlace{"%1: %2"};
 // and taking again costs an eighth of a run, and a fiftieth of the peak is all it saves. The runs after an edit need as
 // much again at once.
 constexpr std::size_t kReturnedSize = std::size_t{1} << 22;
+// Where results are kept for later runs, somebody looks at them first, and the rest goes back.
+constexpr std::size_t kReturnedAtEnd = std::size_t{1} << 19;
 
 // Everything that can be known to be wrong before the first step runs.
 void checkRunnable(const Pipeline& pipeline) {
@@ -123,6 +125,7 @@ class Run {
       if (cache_ == nullptr) current_.rounded = nullptr;
       remember();
     }
+    if (cache_ != nullptr) returnMemory(kReturnedAtEnd);
     RunResult result;
     result.startMs = startMs;
     result.finishMs = finishing.wallMs();
@@ -314,8 +317,8 @@ class Run {
     return {cache_->findEarlier(environment_, steps_, count), true, false};
   }
 
-  void returnMemory() const {
-    if (!isEdited_ && environment_->triangles.size() >= kReturnedSize) returnFreedMemory();
+  void returnMemory(std::size_t from = kReturnedSize) const {
+    if (!isEdited_ && environment_->triangles.size() >= from) returnFreedMemory();
   }
 
   void remember() {

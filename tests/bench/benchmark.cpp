@@ -7,6 +7,7 @@
 #include <map>
 #include <utility>
 
+#include "core/base/background_release.hpp"
 #include "tests/bench/cancel_measurement.hpp"
 #include "tests/bench/export_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
@@ -92,8 +93,12 @@ class Benchmark {
   Json ours(const Subject& subject, int threads) const {
     tell(subject.name, "Footfall, " + threadText(threads));
     // The limit of memory is for peers that take what they can get: threads reserve address space they never use.
-    return runIsolated([&] { return measurePipeline(subject, threads, options_.repetition); },
-                       {options_.limits.time, 0});
+    return runIsolated(
+        [&] {
+          detail::keepFreedMemory();  // as `footfall run` does; edits are the editor's, which does not
+          return measurePipeline(subject, threads, options_.repetition);
+        },
+        {options_.limits.time, 0});
   }
 
   Json measureTheReach(const Subject& subject, const char* group) const {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "core/base/background_release.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 #include "tests/bench/benchmark.hpp"
@@ -102,7 +101,6 @@ void runProgramWith(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  footfall::detail::keepFreedMemory();  // as `footfall run` does
   try {
     runProgramWith(argc, argv);
     return 0;

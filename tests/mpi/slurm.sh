@@ -7,7 +7,7 @@ set -euo pipefail
 # shellcheck source=tests/mpi/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
-for program in munged slurmctld slurmd sbatch srun scancel sinfo; do
+for program in munged slurmctld slurmd sbatch srun scancel scontrol sinfo squeue; do
   command -v "${program}" >/dev/null || skip "${program} was not found (Debian: slurm-wlm and munge)"
 done
 [ "$(id -u)" -eq 0 ] || skip "Slurm's daemons are started as root here"
@@ -107,10 +107,15 @@ run_job() {
   local id told
   id="$(submit "$@")" || return $?
   for ((i = 0; i < 1500; ++i)); do
-    told="$(scontrol --oneliner show job "${id}")"
-    if ! grep -Eq ' JobState=(PENDING|CONFIGURING|RUNNING|COMPLETING) ' <<<"${told}"; then
-      return "$(sed -E 's/.* ExitCode=([0-9]+):.*/\1/' <<<"${told}")"
-    fi
+    told="$(timeout 10 scontrol --oneliner show job "${id}" 2>/dev/null || true)"
+    case "$(sed -nE 's/.* JobState=([A-Z_]+) .*/\1/p' <<<"${told}")" in
+      '' | PENDING | CONFIGURING | RUNNING | COMPLETING) ;;
+      COMPLETED | FAILED) return "$(sed -E 's/.* ExitCode=([0-9]+):.*/\1/' <<<"${told}")" ;;
+      *)
+        echo "${told}"
+        return 1
+        ;;
+    esac
     sleep 0.2
   done
   echo "the job does not end"

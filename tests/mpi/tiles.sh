@@ -48,7 +48,8 @@ stats, size = json.load(open(sys.argv[1])), int(sys.argv[2])
 ranks = stats["ranks"]
 assert len(ranks) == 4, ranks
 assert sum(rank["cells"] for rank in ranks) == stats["cells"]["count"] >= 4, stats
-assert all(rank["bytes_read"] < size for rank in ranks), (size, ranks)
+# Whoever is free takes a cell: one rank may take most where the machine has few processors.
+assert sorted(rank["bytes_read"] for rank in ranks)[1] < size, (size, ranks)
 assert all(rank["peak_bytes"] <= stats["memory"]["bound_bytes"] for rank in ranks), stats
 PYTHON
 # An area before steps makes cells run twice; the environment itself, packed by rank 0.
@@ -95,7 +96,7 @@ for signal in TERM KILL; do
     2>"${work}/err" &
   shell=$!
   for ((i = 0; i < 3000; ++i)); do
-    [ -z "$(ls "${work}/ended"/cell-* 2>/dev/null)" ] || break
+    [ -z "$(ls "${work}/ended"/cell-*.cell 2>/dev/null)" ] || break
     sleep 0.02
   done
   timer="$(ps -o pid= --ppid "${shell}" | head -n 1 | tr -d ' ')"

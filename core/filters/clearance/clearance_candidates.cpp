@@ -160,11 +160,13 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
 void ClearanceCandidates::search(const Box& box, bool isPart) {
   if (exactTree_ && !isPart) {
     mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
+      if ((++polls_ & 255) == 0) poll_();
       if (crosses || (mesh_.facing[obstacle] == 0 && !onlyTouches(obstacle))) consider(obstacle);
       return !areKnownToCover_;
     });
   } else {
     mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
+      if ((++polls_ & 255) == 0) poll_();
       if (!onlyTouches(obstacle)) consider(obstacle);
       return !areKnownToCover_;
     });
@@ -354,7 +356,7 @@ CornerSides ClearanceCandidates::exactSides(const PlanEdges& edges, Index triang
 }
 
 template <class LineOf>
-CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index triangle) {
+CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index triangle, int leastRight) {
   const auto& t = mesh_.triangles[triangle];
   CornerSides sides;
   for (int k = 0; k < 3; ++k) {
@@ -366,15 +368,16 @@ CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index trian
       right += side < 0 ? 1 : 0;
       sides[j].set(static_cast<unsigned>(k), side);
     }
-    if (left == 0 && right >= 2) break;
+    if (left == 0 && right >= leastRight) break;
   }
   return sides;
 }
 
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
   const bool isWall = mesh_.facing[candidate.obstacle] == 0;
-  const CornerSides sides = exactOrientations_ ? exactSides(planEdges_, candidate.obstacle)
-                                               : filteredSides([this](int k) { return edges_[k]; }, candidate.obstacle);
+  const CornerSides sides =
+      exactOrientations_ ? exactSides(planEdges_, candidate.obstacle)
+                         : filteredSides([this](int k) { return edges_[k]; }, candidate.obstacle, isWall ? 2 : 0);
   const auto& [s0, s1, s2] = sides;
   // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
   const unsigned outside = 7U & ~(s0.positive | s1.positive | s2.positive);
@@ -433,7 +436,7 @@ bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
       for (ThreeSigns& corner : sides) std::swap(corner.positive, corner.negative);
   } else {
     sides = filteredSides(
-        [&](int k) { return isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]); }, face_);
+        [&](int k) { return isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]); }, face_, 0);
   }
   if ((sides[0].positive | sides[1].positive | sides[2].positive) != 7U) return true;
   setSigns(candidate.corners, sides);
@@ -450,7 +453,7 @@ bool ClearanceCandidates::isWallApart(Index wall) {
   const Line foot = lineThrough(a, b);
   ThreeSigns sides;
   for (unsigned j = 0; j < 3; ++j) sides.set(j, sideOf(foot, f[j]));
-  return (sides.negative == 0 && areTwo(sides.positive)) || (sides.positive == 0 && areTwo(sides.negative));
+  return (sides.negative == 0 && hasTwo(sides.positive)) || (sides.positive == 0 && hasTwo(sides.negative));
 }
 
 }  // namespace footfall::detail

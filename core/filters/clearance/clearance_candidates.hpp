@@ -107,10 +107,10 @@ class ClearanceCandidates {
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
   /// On which sides of a triangle's edges the corners of another one lie, with exactOrientations_: +1 left.
   [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
-  /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with two
-  /// on its right, stays 0.
+  /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with
+  /// `leastRight` on its right, stays 0.
   template <class LineOf>
-  [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle);
+  [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle, int leastRight);
   void findEdgesInBox();
   /// Whether an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);

@@ -41,7 +41,7 @@ class ClearanceClipper : private FaceCutter {
   ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null). Good until
-  /// the next call.
+  /// the next call, and as long as `earlier`.
   const FaceCuts& clip(Index face, const FaceCuts* earlier);
 
   /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.

@@ -16,7 +16,7 @@ struct Three {
   double last;
 };
 
-/// Bit j of one or the other for the corner j; of none where the number is 0.
+/// Bit j of one or the other for the number j; of none where it is 0.
 struct ThreeSigns {
   unsigned positive = 0, negative = 0;
 
@@ -44,7 +44,7 @@ struct ThreeSigns {
 };
 
 /// Whether at least two bits are set.
-[[nodiscard]] constexpr bool areTwo(unsigned bits) { return (bits & (bits - 1)) != 0; }
+[[nodiscard]] constexpr bool hasTwo(unsigned bits) { return (bits & (bits - 1)) != 0; }
 
 /// The edges of a triangle in the plan (corner k to k + 1) as lines a x + b y + c, which are positive to the left.
 /// Where Grid::hasExactOrientations() of all places, with coordinates below 2^w in units of the grid, every step is

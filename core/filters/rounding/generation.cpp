@@ -147,7 +147,7 @@ class SoupBuilder {
         for (const FaceMesh::Cell& cell : mesh.cells) part->triangles.push_back(cell.corners);
         part->places.resize(mesh.points.size());
         // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
-        // one's.
+        // one's, which would make another mesh in this one's memory.
         tbb::this_task_arena::isolate([&] {
           tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.points.size(), kPointsPerTask),
                             [&](const auto& points) {

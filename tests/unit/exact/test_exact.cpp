@@ -280,7 +280,7 @@ class TestExact : public QObject {
       const auto mesh = randomMesh(random, i % 2 == 0 ? Numbers::Tiny : Numbers::Decimal, 8);
       const PlanKernel kernel(mesh, {1.5});
       FaceGeometry geometry(kernel);
-      FaceTriangulation triangulation(geometry, [] {});
+      FaceTriangulation triangulation(geometry, Poll());
       for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face) {
         if (mesh->facing[face] <= 0) continue;
         geometry.start(face);
