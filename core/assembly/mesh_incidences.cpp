@@ -90,8 +90,8 @@ std::uint32_t spread(std::uint32_t x) {
 }
 
 /// Sorts vertices along Morton's curve through the box around all of them. `keys` is working memory.
-void sortAlongCurve(std::vector<Index>& vertices, const UnfilledArray<FloatBox>& boxes,
-                    std::vector<std::uint64_t>& keys) {
+void sortByMortonKey(std::vector<Index>& vertices, const UnfilledArray<FloatBox>& boxes,
+                     std::vector<std::uint64_t>& keys) {
   if (vertices.size() <= kGroup) return;
   Float4 least = boxes[vertices[0]].lower, most = least;
   for (const Index v : vertices) {
@@ -432,7 +432,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
     found.vertices.clear();
     for (std::size_t v = first; v < last; ++v)
       if (isSearched[v] != 0) found.vertices.push_back(static_cast<Index>(v));
-    sortAlongCurve(found.vertices, search.boxes, found.keys);
+    sortByMortonKey(found.vertices, search.boxes, found.keys);
     // Where too many faces are around a group, a smaller one is tried; then groups grow again.
     const std::span<const Index> vertices = found.vertices;
     std::size_t size = kGroup;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "core/exact/shape.hpp"
+
 namespace footfall::detail {
 
 namespace {
@@ -102,8 +104,8 @@ DelaunayInserter::Location DelaunayInserter::locate() {
   }
 }
 
-// An edge is flipped when the new point p seems to lie well inside the circle through a, d, b (by rounded coordinates),
-// and a, d, b, p are strictly convex (exactly). The same products tell both.
+// An edge is flipped when the new point p seems to lie well inside the circle through a, d, b, and a, d, b, p are
+// strictly convex (exactly). isWellInsideCircle() is repeated here as its products, relative to p, tell both.
 void DelaunayInserter::legalize() {
   const double certain = geometry_.certainTurn();
   int flips = 0;
@@ -119,7 +121,7 @@ void DelaunayInserter::legalize() {
       if (!(inside > 0)) return false;  // as most are
       const double size = a.squared * (std::fabs(db) + std::fabs(bd)) + b.squared * (std::fabs(ad) + std::fabs(da)) +
                           d.squared * (std::fabs(ab) + std::fabs(ba));
-      return inside > size * 0x1p-32 &&
+      return inside > size * kWellInside &&
              (turnAtA > certain || geometry_.orientation(point_, cell.corners[at.k], apex) > 0) &&
              (turnAtB > certain || geometry_.orientation(point_, apex, cell.corners[next(at.k)]) > 0);
     };

@@ -7,8 +7,12 @@
 
 namespace footfall::detail {
 
-/// True when the origin seems to lie well inside the circumcircle of the counter-clockwise triangle a, b, c. The margin
-/// keeps flips from going round in circles; whether a flip is possible at all must be decided exactly.
+/// How far inside a circle a corner must seem to lie for a flip, by the size of the terms that tell: more than their
+/// roundings, so that flips do not go round in circles.
+inline constexpr double kWellInside = 0x1p-32;
+
+/// True when the origin seems to lie well inside the circumcircle of the counter-clockwise triangle a, b, c. Whether a
+/// flip is possible at all must be decided exactly.
 inline bool isWellInsideCircle(const std::array<double, 2>& a, const std::array<double, 2>& b,
                                const std::array<double, 2>& c) {
   const auto squared = [](const std::array<double, 2>& p) { return p[0] * p[0] + p[1] * p[1]; };
@@ -19,7 +23,7 @@ inline bool isWellInsideCircle(const std::array<double, 2>& a, const std::array<
   if (!(inside > 0)) return false;  // as most are
   const double size = sa * (std::fabs(bc) + std::fabs(cb)) + sb * (std::fabs(ca) + std::fabs(ac)) +
                       sc * (std::fabs(ab) + std::fabs(ba));
-  return inside > size * 0x1p-32;
+  return inside > size * kWellInside;
 }
 
 }  // namespace footfall::detail

@@ -126,7 +126,7 @@ for launch in srun mpirun; do
   if [ "${launch}" = srun ] && ! srun --mpi=list 2>&1 | grep -qw pmix; then continue; fi
   rm -f "${work}/out.obj"
   FOOTFALL_LAUNCH="${launch}" run_job "${sample}" "${steps[@]}" -o "${work}/out.obj" \
-    --stats "${work}/stats.json" || fail "by ${launch}: sbatch ended with $?"
+    --stats "${work}/stats.json" || fail "by ${launch}: the job ended with $?"
   cmp "${work}/one.obj" "${work}/out.obj" || fail "by ${launch}: other bytes"
   [ "$(grep -c '"bytes_sent"' "${work}/stats.json")" -eq 2 ] || fail "by ${launch}: not two ranks"
   [ "$(grep -c '"threads": 2,' "${work}/stats.json")" -ge 2 ] || fail "by ${launch}: not all threads of the machines"
@@ -149,7 +149,7 @@ for ((i = 0; i < 600; ++i)); do
 done
 [ -z "$(squeue --noheader)" ] || fail "a cancelled job goes on"
 [ ! -f "${work}/out.obj" ] || cmp "${work}/one.obj" "${work}/out.obj" || fail "half a result"
-run_job "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "given again: sbatch ended with $?"
+run_job "${sample}" "${steps[@]}" -o "${work}/out.obj" || fail "given again: the job ended with $?"
 cmp "${work}/one.obj" "${work}/out.obj" || fail "given again: other bytes"
 
 # What is wrong is told in the job's output, and by its exit code.
