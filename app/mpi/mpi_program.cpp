@@ -26,12 +26,18 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// As whatever started the process named it; null where nothing did.
+const char* rankByName() {
+  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(name)) return rank;
+  return nullptr;
+}
+
 }  // namespace
 
 bool MpiProgram::isFirstByName() {
-  for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
-    if (const char* rank = std::getenv(name)) return std::strcmp(rank, "0") == 0;
-  return true;
+  const char* rank = rankByName();
+  return rank == nullptr || std::strcmp(rank, "0") == 0;
 }
 
 MpiProgram::~MpiProgram() {
@@ -51,6 +57,7 @@ void MpiProgram::addOptions(CLI::App& command) {
 }
 
 void MpiProgram::begin(int threads) {
+  isBegun_ = true;
   transport_ = std::make_unique<MpiTransport>();
   RankExchange::Options options;
   options.threads = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
@@ -171,7 +178,21 @@ void MpiProgram::drop() {
   while (!dropped_.empty()) dropped_.pop_back();
 }
 
+// What is wrong with the options all ranks find by themselves. mpirun ends the others as soon as one leaves with an
+// exit code: they leave together, when rank 0 has told what it is.
+void MpiProgram::meetOthers() {
+  if (isBegun_ || rankByName() == nullptr) return;
+  workFolder_.clear();
+  leavesShares_ = false;
+  try {
+    begin(1);
+  } catch (const std::exception&) {
+    // Each for itself, then.
+  }
+}
+
 bool MpiProgram::fail(const std::string& problem, RankFailure kind) {
+  meetOthers();
   if (!exchange_) return transport_ ? writes() : isFirstByName();
   const bool wasStopped = exchange_->wasStopped();
   exchange_->fail(problem, kind);

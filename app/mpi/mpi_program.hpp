@@ -54,12 +54,14 @@ class MpiProgram : public RunProgram {
 
  private:
   void tell(const Text& note) const;
+  void meetOthers();
   void drop();
   [[nodiscard]] double overheadMs() const;
 
   const detail::Stopwatch total_;
   std::string workFolder_;
   bool leavesShares_ = false;
+  bool isBegun_ = false;
   bool showsProgress_ = false;
   std::unique_ptr<MpiTransport> transport_;
   std::unique_ptr<detail::RankExchange> exchange_;

@@ -61,6 +61,13 @@ tells 2 "missing.obj" "${work}/missing.obj"
 tells 2 "max_slope" "${FOOTFALL_SAMPLES}/house/house.obj" --filter "SlopeFilter 91"
 tells 2 "nonsense" "${FOOTFALL_SAMPLES}/house/house.obj" --nonsense
 tells 1 "cannot be made" "${FOOTFALL_SAMPLES}/house/house.obj" --work "${work}/missing/work"
+# Also where the others know it long before rank 0 does: mpirun ends what still runs as soon as one has an exit code.
+seen=0
+# shellcheck disable=SC2016 # for the shell of the rank
+ranks 3 sh -c '[ "${OMPI_COMM_WORLD_RANK}" != 0 ] || sleep 1; exec "$@"' rank "${FOOTFALL_MPI}" run \
+  "${FOOTFALL_SAMPLES}/house/house.obj" --nonsense >"${work}/out" 2>"${work}/err" || seen=$?
+[ "${seen}" -eq 2 ] || fail "rank 0 comes late: exit code ${seen}, not 2: $(cat "${work}/err")"
+[ "$(grep -c "^footfall-mpi: .*nonsense" "${work}/err")" -eq 1 ] || fail "rank 0 comes late: $(cat "${work}/err")"
 
 # A rank fails while rank 0 reads for longer than anybody waits, a pipeline that never comes: that rank says why, and ends
 # all.
