@@ -1,15 +1,18 @@
 // How a MeshJoiner collects the parts of all faces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Triangles, outlines and points have their places by the faces' order. Vertices are numbered by their first use, for
-// which one thread looks at a few bytes of each point; all else is done by all threads, for ranges of points or
-// triangles, since a single face can have most of them.
+// Triangles, outlines and points have their places by the faces' order. Vertices are numbered by their first use. All
+// is done by all threads, for ranges of points or triangles, since a single face can have most of them.
 #include <oneapi/tbb/combinable.h>
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <mutex>
+#include <numeric>
 
 #include "core/assembly/mesh_joiner.hpp"
 #include "core/base/geometry.hpp"
@@ -23,17 +26,11 @@ namespace {
 constexpr std::size_t kFacesPerTask = 512;
 constexpr std::size_t kPointsPerTask = 1024;
 constexpr std::size_t kTrianglesPerTask = 1024;
-constexpr std::size_t kPolled = 1 << 14;
+constexpr std::size_t kPointsPerBlock = 8192;
+constexpr Index kLastPlace = std::numeric_limits<Index>::max();
 
 // What a used point is, where it is no source vertex. The last three are crossings on the face's own edges 0, 1, 2.
 constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3, kCrossingOnEdge = -4;
-
-/// A point that all faces at a source edge know by one name; for most points that name says which edge it is.
-struct SharedPoint {
-  PlanPoint point;
-  Index from = -1, to = -1;  ///< of a crossing: the source vertices of the edge
-  bool operator==(const SharedPoint&) const = default;
-};
 
 template <class Work>
 void forBlocks(std::size_t count, std::size_t size, RunContext& context, const Work& work) {
@@ -45,6 +42,38 @@ void forBlocks(std::size_t count, std::size_t size, RunContext& context, const W
 
 }  // namespace
 
+/// A point that all faces at a source edge know by one name; for most points that name says which edge it is.
+struct MeshJoiner::SharedPoint {
+  PlanPoint point;
+  Index from = -1, to = -1;  ///< of a crossing: the source vertices of the edge
+  bool operator==(const SharedPoint&) const = default;
+};
+
+struct MeshJoiner::SharedUse {
+  SharedPoint point;
+  Index place = -1;
+};
+
+/// Uses of the points of some faces: those of one point are in one of the lists, whatever the face.
+struct MeshJoiner::SharedUses {
+  static constexpr std::size_t kLists = 16;
+  std::vector<SharedUse> uses;
+  std::array<std::size_t, kLists + 1> first{};  ///< of each list, and the end
+
+  static std::size_t listOf(const SharedUse& use) {
+    return NumberedTable<SharedPoint>::hashOf(use.point) >> 20 & (kLists - 1);
+  }
+  explicit SharedUses(const std::vector<SharedUse>& given) : uses(given.size()) {
+    for (const SharedUse& use : given) ++first[listOf(use) + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    auto next = first;
+    for (const SharedUse& use : given) uses[next[listOf(use)]++] = use;
+  }
+  [[nodiscard]] std::span<const SharedUse> list(std::size_t i) const {
+    return {uses.data() + first[i], first[i + 1] - first[i]};
+  }
+};
+
 struct MeshJoiner::Additions {
   std::span<const FaceToJoin> faces;
   std::size_t pointCount = 0, triangleCount = 0, outlineCount = 0;
@@ -52,8 +81,23 @@ struct MeshJoiner::Additions {
   std::vector<Index> outlinesBefore;
   /// The points of each face in the order of their first use, from where its points begin; then -1 for those without.
   std::vector<Index> pointOf;
-  std::vector<Index> names;       ///< of each of them: a source vertex, or what it is instead
-  std::vector<Index> firstUseOf;  ///< of each vertex: the place of the point
+  std::vector<Index> names;  ///< of each of them: a source vertex, or what it is instead
+  /// Of each of them the first one that is the same vertex; when that has a number, -1 - number.
+  UnfilledArray<Index> firstUse;
+  std::vector<std::atomic<Index>> firstUseOfSource;  ///< of each source vertex, subtracted from kLastPlace; 0: none
+  std::vector<SharedUses> shared;
+  UnfilledArray<Index> firstUseOf;  ///< of each vertex: the place of the point
+
+  void noteSource(Index source, Index place) {
+    std::atomic<Index>& known = firstUseOfSource[source];
+    Index before = known.load(std::memory_order_relaxed);
+    while (before < kLastPlace - place &&
+           !known.compare_exchange_weak(before, kLastPlace - place, std::memory_order_relaxed))
+      continue;
+  }
+  [[nodiscard]] Index firstOfSource(Index source) const {
+    return kLastPlace - firstUseOfSource[source].load(std::memory_order_relaxed);
+  }
 };
 
 // Places for the points and triangles of the faces.
@@ -107,9 +151,20 @@ Index MeshJoiner::listUses(std::size_t entry, Additions& additions) {
   return outlines;
 }
 
+MeshJoiner::SharedPoint MeshJoiner::sharedPoint(const FaceToJoin& given, Index point, Index name) const {
+  SharedPoint shared{given.parts->points[point]};
+  if (name <= kCrossingOnEdge) {
+    const auto& f = mesh_.triangles[given.face];
+    const int k = kCrossingOnEdge - name;
+    shared.from = std::min(f[k], f[next(k)]);
+    shared.to = std::max(f[k], f[next(k)]);
+  }
+  return shared;
+}
+
 // What a face's points are: source vertices, points on source edges, which faces may share, and all others.
 void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions& additions,
-                          ExactFallbacks& fallbacks) const {
+                          std::vector<SharedUse>& shared, ExactFallbacks& fallbacks) const {
   const FaceToJoin& given = additions.faces[entry];
   const auto& f = mesh_.triangles[given.face];
   const auto isCorner = [&](Index v) { return f[0] == v || f[1] == v || f[2] == v; };
@@ -136,7 +191,15 @@ void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions&
                                                  (point.triangle() == given.face && point.level() == 0));
     return isOnSourceEdge ? kOnSourceEdge : kOfOneFace;
   };
-  for (Index place = first; place < last; ++place) additions.names[place] = nameOf(additions.pointOf[place]);
+  for (Index place = first; place < last; ++place) {
+    const Index name = additions.names[place] = nameOf(additions.pointOf[place]);
+    if (name >= 0)
+      additions.noteSource(name, place);
+    else if (name == kOfOneFace)
+      additions.firstUse.fill(place, place);
+    else if (name != kUnused)
+      shared.push_back({sharedPoint(given, additions.pointOf[place], name), place});
+  }
 }
 
 void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
@@ -144,30 +207,42 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
   additions.pointOf.resize(additions.pointCount);
   additions.names.resize(additions.pointCount);
   additions.outlinesBefore.resize(additions.triangleCount / kTrianglesPerTask + 1);
+  additions.firstUse = UnfilledArray<Index>(additions.pointCount);
+  additions.firstUseOfSource = std::vector<std::atomic<Index>>(mesh_.vertices.size());
   auto& entries = memory_.entries;
   const std::size_t count = additions.faces.size();
   tbb::combinable<ExactFallbacks> fallbacks;
   std::vector<Index> large;  // a face can have most of the points
   std::mutex mutex;
+  const auto addShared = [&](const std::vector<SharedUse>& shared) {
+    if (shared.empty()) return;
+    SharedUses divided(shared);
+    const std::lock_guard lock(mutex);
+    additions.shared.push_back(std::move(divided));
+  };
   forBlocks(count, kFacesPerTask, context, [&](std::size_t, std::size_t firstFace, std::size_t lastFace) {
     ExactFallbacks& found = fallbacks.local();
+    std::vector<SharedUse> shared;
     for (std::size_t i = firstFace; i < lastFace; ++i) {
       entries[i].firstOutline = listUses(i, additions);
       const Index first = entries[i].firstPoint, last = entries[i + 1].firstPoint;
       if (static_cast<std::size_t>(last - first) <= kPointsPerTask) {
-        nameUses(i, first, last, additions, found);
+        nameUses(i, first, last, additions, shared, found);
         continue;
       }
       const std::lock_guard lock(mutex);
       large.push_back(static_cast<Index>(i));
     }
+    addShared(shared);
   });
   for (const Index i : large) {
     const Index begin = entries[i].firstPoint;
     forBlocks(static_cast<std::size_t>(entries[i + 1].firstPoint - begin), kPointsPerTask, context,
               [&](std::size_t, std::size_t first, std::size_t last) {
-                nameUses(i, begin + static_cast<Index>(first), begin + static_cast<Index>(last), additions,
+                std::vector<SharedUse> shared;
+                nameUses(i, begin + static_cast<Index>(first), begin + static_cast<Index>(last), additions, shared,
                          fallbacks.local());
+                addShared(shared);
               });
   }
   fallbacks.combine_each([&](const ExactFallbacks& found) { fallbacks_ += found; });
@@ -177,47 +252,74 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
   additions.outlineCount = static_cast<std::size_t>(outlines);
 }
 
-void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
-  std::vector<Index> ofSource(mesh_.vertices.size(), -1);
-  // In space they lie on the source edge itself, so all faces that know one by this name mean the same vertex.
-  NumberedTable<SharedPoint> onSourceEdges;
-  onSourceEdges.clear();
-  std::vector<Index> ofSourceEdgePoint;
-  std::vector<Index>& firstUseOf = additions.firstUseOf;
-  firstUseOf.reserve(std::min(additions.pointCount, mesh_.vertices.size() + additions.pointCount / 2));
-  const auto addVertex = [&](Index place) {
-    firstUseOf.push_back(place);
-    return static_cast<Index>(firstUseOf.size()) - 1;
-  };
-  const auto numberOf = [&](std::size_t entry, Index place) {
-    const Index name = additions.names[place];
-    if (name >= 0) {
-      if (ofSource[name] < 0) ofSource[name] = addVertex(place);
-      return ofSource[name];
-    }
-    if (name == kOfOneFace) return addVertex(place);
-    SharedPoint shared{additions.faces[entry].parts->points[additions.pointOf[place]]};
-    if (name <= kCrossingOnEdge) {
-      const auto& f = mesh_.triangles[additions.faces[entry].face];
-      const int k = kCrossingOnEdge - name;
-      shared.from = std::min(f[k], f[next(k)]);
-      shared.to = std::max(f[k], f[next(k)]);
-    }
-    const auto [number, isNew] = onSourceEdges.insert(shared);
-    if (isNew) ofSourceEdgePoint.push_back(addVertex(place));
-    return ofSourceEdgePoint[number];
-  };
+template <class Work>
+void MeshJoiner::forUses(const Additions& additions, std::size_t first, std::size_t last, Work work) const {
   const auto& entries = memory_.entries;
-  std::size_t polled = 0;
-  for (std::size_t i = 0; i < additions.faces.size(); ++i) {
-    const Index first = entries[i].firstPoint, end = entries[i + 1].firstPoint;
-    if ((polled += static_cast<std::size_t>(end - first)) > kPolled) {
-      context.checkCancelled();
-      polled = 0;
-    }
-    for (Index place = first; place < end && additions.names[place] != kUnused; ++place)
-      memory_.vertexOf[first + additions.pointOf[place]] = numberOf(i, place);
+  std::size_t entry = entryOfPoint(first);
+  for (std::size_t place = first; place < last; ++place) {
+    while (static_cast<std::size_t>(entries[entry + 1].firstPoint) <= place) ++entry;
+    if (additions.names[place] != kUnused) work(entry, static_cast<Index>(place));
   }
+}
+
+// In space, a point on a source edge lies on that edge itself: all faces that know one by this name mean the same
+// vertex.
+void MeshJoiner::findFirstUses(Additions& additions, RunContext& context) {
+  auto& firstUse = additions.firstUse;
+  forRanges(SharedUses::kLists, 1, [&](std::size_t list, std::size_t) {
+    NumberedTable<SharedPoint> points;
+    std::vector<Index> firstOf;
+    for (const SharedUses& some : additions.shared) {
+      context.checkCancelled();
+      for (const SharedUse& use : some.list(list)) {
+        const auto [number, isNew] = points.insert(use.point);
+        if (isNew) firstOf.push_back(use.place);
+        firstOf[number] = std::min(firstOf[number], use.place);
+        firstUse.fill(use.place, number);
+      }
+    }
+    for (const SharedUses& some : additions.shared)
+      for (const SharedUse& use : some.list(list)) firstUse[use.place] = firstOf[firstUse[use.place]];
+  });
+  additions.shared = {};
+}
+
+void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
+  findFirstUses(additions, context);
+  auto& firstUse = additions.firstUse;
+  std::vector<Index> newBefore((additions.pointCount + kPointsPerBlock - 1) / kPointsPerBlock + 1, 0);
+  forBlocks(additions.pointCount, kPointsPerBlock, context,
+            [&](std::size_t block, std::size_t first, std::size_t last) {
+              Index found = 0;
+              forUses(additions, first, last, [&](std::size_t, Index place) {
+                if (const Index name = additions.names[place]; name >= 0)
+                  firstUse.fill(place, additions.firstOfSource(name));
+                found += static_cast<Index>(firstUse[place] == place);
+              });
+              newBefore[block + 1] = found;
+            });
+  std::partial_sum(newBefore.begin(), newBefore.end(), newBefore.begin());
+  std::vector<std::atomic<Index>>().swap(additions.firstUseOfSource);
+  additions.firstUseOf = UnfilledArray<Index>(static_cast<std::size_t>(newBefore.back()));
+  const auto slotOf = [&](std::size_t entry, Index place) {
+    return memory_.entries[entry].firstPoint + additions.pointOf[place];
+  };
+  // First uses get the numbers, all others those of the first.
+  forBlocks(additions.pointCount, kPointsPerBlock, context,
+            [&](std::size_t block, std::size_t first, std::size_t last) {
+              Index number = newBefore[block];
+              forUses(additions, first, last, [&](std::size_t entry, Index place) {
+                if (firstUse[place] != place) return;
+                additions.firstUseOf.fill(number, place);
+                firstUse[place] = -1 - number;
+                memory_.vertexOf[slotOf(entry, place)] = number++;
+              });
+            });
+  forBlocks(additions.pointCount, kPointsPerBlock, context, [&](std::size_t, std::size_t first, std::size_t last) {
+    forUses(additions, first, last, [&](std::size_t entry, Index place) {
+      if (const Index use = firstUse[place]; use >= 0) memory_.vertexOf[slotOf(entry, place)] = -1 - firstUse[use];
+    });
+  });
 }
 
 MeshVertex MeshJoiner::sourceVertex(Index source, Index face) const {
@@ -290,6 +392,7 @@ void MeshJoiner::addFaces(std::span<const FaceToJoin> faces, RunContext& context
   layOut(additions, context);
   listAllUses(additions, context);
   numberUses(additions, context);
+  additions.firstUse = {};
   fillVertices(additions, context);
   additions.pointOf = {};
   additions.names = {};

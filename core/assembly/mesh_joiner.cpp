@@ -2,6 +2,7 @@
 #include "core/assembly/mesh_joiner.hpp"
 
 #include <oneapi/tbb/combinable.h>
+#include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "core/base/geometry.hpp"
 #include "core/base/parallel_ranges.hpp"
 #include "core/base/sorted_list.hpp"
+#include "core/mesh/first_uses.hpp"
 #include "core/mesh/triangle_split.hpp"
 
 namespace footfall::detail {
@@ -19,6 +21,7 @@ namespace {
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kSplitsPerTask = 64;
 constexpr std::size_t kVerticesPerTask = 4096;
+constexpr std::size_t kTrianglesPerBlock = 8192;
 
 }  // namespace
 
@@ -132,42 +135,52 @@ std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
   return splits;
 }
 
+// What splits triangles puts so many more before each block of them.
+std::vector<MeshTriangle> MeshJoiner::splitTriangles(std::span<const Split> splits, RunContext& context) const {
+  std::vector<std::size_t> firstSplit;  // of each block of triangles
+  std::vector<std::size_t> addedBefore;
+  std::size_t split = 0, added = 0;
+  for (std::size_t t = 0; t < triangles_.size(); t += kTrianglesPerBlock) {
+    for (; split < splits.size() && static_cast<std::size_t>(splits[split].triangle) < t; ++split)
+      added += splits[split].inner.size();
+    firstSplit.push_back(split);
+    addedBefore.push_back(added);
+  }
+  for (; split < splits.size(); ++split) added += splits[split].inner.size();
+  std::vector<MeshTriangle> result(triangles_.size() + added);
+  tbb::parallel_for(std::size_t{0}, firstSplit.size(), [&](std::size_t block) {
+    context.checkCancelled();
+    const std::size_t first = block * kTrianglesPerBlock;
+    auto next = splits.begin() + static_cast<std::ptrdiff_t>(firstSplit[block]);
+    auto place = result.begin() + static_cast<std::ptrdiff_t>(first + addedBefore[block]);
+    std::vector<MeshTriangle> pieces;
+    for (std::size_t t = first; t < std::min(first + kTrianglesPerBlock, triangles_.size()); ++t) {
+      MeshTriangle triangle = triangles_[t];
+      for (Index& v : triangle.corners) v = firstAt(v);
+      if (next == splits.end() || next->triangle != static_cast<Index>(t)) {
+        *place++ = triangle;
+        continue;
+      }
+      EdgeVertices on{};
+      for (; next != splits.end() && next->triangle == static_cast<Index>(t); ++next) on[next->k] = &next->inner;
+      pieces.clear();
+      splitTriangle(triangle, on, pieces);
+      place = std::copy(pieces.begin(), pieces.end(), place);
+    }
+  });
+  return result;
+}
+
 // Triangles with what splits them; vertices in the order of their first use.
 WalkableMesh MeshJoiner::assemble(std::span<const Split> splits, RunContext& context) {
   WalkableMesh mesh;
-  std::size_t added = 0;
-  for (const Split& split : splits) added += split.inner.size();
-  mesh.triangles.reserve(triangles_.size() + added);
-  std::vector<Index> renumbered(vertices_.size(), -1), order;
-  order.reserve(vertices_.size());
-  auto split = splits.begin();
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    if (t % kPolled == 0) context.checkCancelled();
-    MeshTriangle triangle = triangles_[t];
-    for (Index& v : triangle.corners) v = firstAt(v);
-    const std::size_t first = mesh.triangles.size();
-    if (split == splits.end() || split->triangle != static_cast<Index>(t)) {
-      mesh.triangles.push_back(triangle);
-    } else {
-      EdgeVertices on{};
-      for (; split != splits.end() && split->triangle == static_cast<Index>(t); ++split) on[split->k] = &split->inner;
-      splitTriangle(triangle, on, mesh.triangles);
-    }
-    for (std::size_t i = first; i < mesh.triangles.size(); ++i)
-      for (Index& v : mesh.triangles[i].corners) {
-        if (renumbered[v] < 0) {
-          renumbered[v] = static_cast<Index>(order.size());
-          order.push_back(v);
-        }
-        v = renumbered[v];
-      }
-  }
+  mesh.triangles = splitTriangles(splits, context);
   triangles_ = {};
-  renumbered = {};
-  mesh.vertices.resize(order.size());
-  forRanges(order.size(), kVerticesPerTask, [&](std::size_t first, std::size_t last) {
+  const FirstUses uses = renumberByFirstUse(mesh.triangles, vertices_.size(), context);
+  mesh.vertices.resize(uses.order.size());
+  forRanges(uses.order.size(), kVerticesPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
-    for (std::size_t v = first; v < last; ++v) mesh.vertices[v] = vertices_[order[v]];
+    for (std::size_t v = first; v < last; ++v) mesh.vertices[v] = vertices_[uses.order[v]];
   });
   return mesh;
 }

@@ -77,8 +77,19 @@ class MeshJoiner {
   struct Additions;
   void layOut(Additions& additions, RunContext& context);
   Index listUses(std::size_t entry, Additions& additions);
-  void nameUses(std::size_t entry, Index first, Index last, Additions& additions, ExactFallbacks& fallbacks) const;
+  /// A point that all faces at a source edge know by one name, and where one of them uses it.
+  struct SharedPoint;
+  struct SharedUse;
+  struct SharedUses;
+  [[nodiscard]] SharedPoint sharedPoint(const FaceToJoin& given, Index point, Index name) const;
+  /// Also notes first uses, but those of shared points, which it lists.
+  void nameUses(std::size_t entry, Index first, Index last, Additions& additions, std::vector<SharedUse>& shared,
+                ExactFallbacks& fallbacks) const;
   void listAllUses(Additions& additions, RunContext& context);
+  /// Calls work(entry, place) for each of these places that has a point.
+  template <class Work>
+  void forUses(const Additions& additions, std::size_t first, std::size_t last, Work work) const;
+  void findFirstUses(Additions& additions, RunContext& context);
   void numberUses(Additions& additions, RunContext& context);
   void fillVertices(const Additions& additions, RunContext& context);
   void fillTriangles(const Additions& additions, RunContext& context);
@@ -115,6 +126,7 @@ class MeshJoiner {
   [[nodiscard]] Index firstAt(Index vertex) const { return sameAs_.empty() ? vertex : sameAs_[vertex]; }
   /// What lies on outlines, by triangle and edge.
   [[nodiscard]] std::vector<Split> findSplits(RunContext& context);
+  [[nodiscard]] std::vector<MeshTriangle> splitTriangles(std::span<const Split> splits, RunContext& context) const;
   WalkableMesh assemble(std::span<const Split> splits, RunContext& context);
   /// Whether a vertex is certainly not on the line through two others, by their rounded coordinates.
   [[nodiscard]] bool isFar(Index vertex, Index from, Index to) const;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_reduce.h>
 
 #include <algorithm>
 #include <array>
@@ -40,18 +41,7 @@ class BoxTree {
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    constexpr double kLargest = std::numeric_limits<double>::max();
-    Bounds all;
-    all.lower.fill(kLargest);
-    all.upper.fill(-kLargest);
-    for (Index i = 0; i < count; ++i) {
-      if (i % kPolled == 0) poll();
-      const Bounds b = boundsOf(ids[i]);
-      for (int k = 0; k < D; ++k) {
-        if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
-        if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
-      }
-    }
+    Bounds all = wholeOf(ids, boundsOf, poll);
     double extent = 0;  // halves, as the whole may overflow
     for (int k = 0; k < D; ++k) {
       if (all.lower[k] > all.upper[k]) all.lower[k] = all.upper[k] = 0;
@@ -155,7 +145,7 @@ class BoxTree {
   static constexpr int kBits = 30 / D;
   static constexpr double kCells = 1 << kBits;
   static constexpr Index kPerTask = 8192;
-  static constexpr Index kPolled = 1 << 16;
+  static constexpr std::ptrdiff_t kSorted = 1 << 15;  ///< so many keys are a block
 
   template <class Work>
   static void forBlocks(Index count, Poll poll, Work work) {
@@ -169,6 +159,32 @@ class BoxTree {
     });
   }
 
+  /// Around all finite places.
+  template <class BoundsOf>
+  static Bounds wholeOf(const std::vector<Index>& ids, BoundsOf boundsOf, Poll poll) {
+    constexpr double kLargest = std::numeric_limits<double>::max();
+    Bounds none;
+    none.lower.fill(kLargest);
+    none.upper.fill(-kLargest);
+    const auto add = [](Bounds& all, const Bounds& b) {
+      for (int k = 0; k < D; ++k) {
+        if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
+        if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
+      }
+    };
+    return tbb::parallel_reduce(
+        tbb::blocked_range<std::size_t>(0, ids.size(), kPerTask), none,
+        [&](const auto& range, Bounds all) {
+          poll();
+          for (std::size_t i = range.begin(); i != range.end(); ++i) add(all, boundsOf(ids[i]));
+          return all;
+        },
+        [&](Bounds all, const Bounds& other) {
+          add(all, other);
+          return all;
+        });
+  }
+
   /// Puts D - 1 zeros between the bits.
   static std::uint32_t spread(std::uint32_t x) {
     std::uint32_t result = 0;
@@ -176,20 +192,37 @@ class BoxTree {
     return result;
   }
 
-  /// Radix sort, stable.
+  /// Radix sort, stable. Each pass counts the digits of blocks, and then moves what is in them, so that the order is
+  /// that of one block.
   static void sortByKey(std::vector<std::pair<std::uint32_t, Index>>& order, Poll poll) {
     if (order.size() < 256) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
       return;
     }
     constexpr int kDigit = 10;
+    using Starts = std::array<Index, 1 << kDigit>;
     std::vector<std::pair<std::uint32_t, Index>> other(order.size());
+    std::vector<Starts> starts((static_cast<std::ptrdiff_t>(order.size()) + kSorted - 1) / kSorted);
+    const auto forBlocksOfOrder = [&](auto work) {
+      tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t block) {
+        poll();
+        const auto first = order.begin() + static_cast<std::ptrdiff_t>(block) * kSorted;
+        const auto last = block + 1 < starts.size() ? first + kSorted : order.end();
+        work(starts[block], first, last);
+      });
+    };
     for (int shift = 0; shift < kBits * D; shift += kDigit) {
-      poll();
-      std::array<Index, (1 << kDigit) + 1> start{};
-      for (const auto& entry : order) ++start[(entry.first >> shift & ((1U << kDigit) - 1)) + 1];
-      for (std::size_t i = 1; i < start.size(); ++i) start[i] += start[i - 1];
-      for (const auto& entry : order) other[start[entry.first >> shift & ((1U << kDigit) - 1)]++] = entry;
+      const auto digitOf = [shift](std::uint32_t key) { return key >> shift & ((1U << kDigit) - 1); };
+      forBlocksOfOrder([&](Starts& own, auto first, auto last) {
+        own.fill(0);
+        for (; first != last; ++first) ++own[digitOf(first->first)];
+      });
+      Index before = 0;
+      for (std::size_t digit = 0; digit < Starts().size(); ++digit)
+        for (Starts& own : starts) before += std::exchange(own[digit], before);
+      forBlocksOfOrder([&](Starts& own, auto first, auto last) {
+        for (; first != last; ++first) other[own[digitOf(first->first)]++] = *first;
+      });
       order.swap(other);
     }
   }

@@ -45,6 +45,8 @@ class NumberedTable {
     keys_.push_back(key);
     return static_cast<Number>(keys_.size() - 1);
   }
+  /// Equal for equal keys, of no order; bits 16 to 31 are not those by which the table finds keys.
+  static std::uint64_t hashOf(const Key& key) { return hash(wordsOf(key)); }
   const Key& operator[](Number i) const { return keys_[static_cast<std::size_t>(i)]; }
   [[nodiscard]] std::size_t size() const { return keys_.size(); }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <new>
+#include <optional>
 #include <span>
 #include <stdexcept>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "core/base/background_release.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
+#include "core/filters/rounding/settled_product.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/parallel_block.hpp"
 #include "core/pipeline/result_cache.hpp"
@@ -105,6 +107,7 @@ class Run {
     context_.checkCancelled();
     const bool isDivided = exchange_ != nullptr && countPhases(steps_, steps_.size()) > 0;
     if (exchange_ != nullptr && !isDivided && !exchange_->merges()) return {};
+    makesProduct_ = true;
     takeFromCache();
     const double startMs = current_.state ? 0 : makeStart();
     while (current_.steps.size() < steps_.size()) {
@@ -118,10 +121,7 @@ class Run {
     const Stopwatch finishing;
     context_.checkCancelled();
     if (!current_.mesh) {
-      const KnownPlaces known =
-          cache_ != nullptr ? cache_->findPlaces(environment_, steps_, steps_.size()) : KnownPlaces();
-      current_.mesh = guarded(FOOTFALL_TEXT("navigation mesh"),
-                              [&] { return makeNavigationMesh(current_.state, known, current_.rounded, context_); });
+      current_.mesh = guarded(FOOTFALL_TEXT("navigation mesh"), [&] { return makeProduct(); });
       if (cache_ == nullptr) current_.rounded = nullptr;
       remember();
     }
@@ -248,7 +248,12 @@ class Run {
 
   FilterOutcome apply(const PipelineStep& step, std::size_t index) {
     try {
-      return applyFilter(*step.filter, step.values, current_.state, context_, recall(index + 1));
+      Recall known = recall(index + 1);
+      if (makesProduct_ && index + 1 == steps_.size())
+        known.meanwhile = [this](const WalkableState& state, const Adjacency& topology) {
+          settled_ = settleProduct(state, topology, knownPlaces(), context_);
+        };
+      return applyFilter(*step.filter, step.values, current_.state, context_, known);
     } catch (const ValueError& error) {
       if (error.value >= step.columns.size()) throw;
       throw InputError(FOOTFALL_TEXT("column %1: %2"), step.columns[error.value], error.text());
@@ -300,6 +305,17 @@ class Run {
     return FOOTFALL_VERSION " " + std::to_string(value[0]) + ' ' + std::to_string(value[1]) + '\n';
   }
 
+  [[nodiscard]] KnownPlaces knownPlaces() const {
+    return cache_ != nullptr ? cache_->findPlaces(environment_, steps_, steps_.size()) : KnownPlaces();
+  }
+
+  std::shared_ptr<const NavigationMesh> makeProduct() {
+    if (!settled_) return makeNavigationMesh(current_.state, knownPlaces(), current_.rounded, context_);
+    SettledProduct settled = *std::exchange(settled_, std::nullopt);
+    current_.rounded = settled.rounded;
+    return makeNavigationMesh(*current_.state, std::move(settled), context_);
+  }
+
   // Whether the block ran or came from the cache.
   [[nodiscard]] bool isBehindBlock(std::size_t index) const {
     return std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(index),
@@ -331,7 +347,9 @@ class Run {
   PrefixCache* cache_;
   std::vector<const PipelineStep*> steps_;  // the enabled ones
   CachedPrefix current_;
-  bool isEdited_ = false;  // there is the result of an environment that this one is an edit of
+  bool makesProduct_ = false;
+  std::optional<SettledProduct> settled_;  // of the last state, where its filter left time for that
+  bool isEdited_ = false;                  // there is the result of an environment that this one is an edit of
   int threads_;
   const Stopwatch& clock_;
   CellExchange* exchange_;

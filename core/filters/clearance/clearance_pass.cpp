@@ -54,8 +54,7 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
   meshes_ = std::make_shared<FaceMeshes>(count);
   large_.hold(meshes_);
   isChanged_.assign(count, 0);
-  crowded_ = std::vector<std::atomic<std::int8_t>>(count);
-  for (std::atomic<std::int8_t>& crowded : crowded_) crowded = -1;
+  crowding_ = std::vector<std::atomic<Crowd>>(count);
 }
 
 ClearancePass::Worker& ClearancePass::worker() {
@@ -71,8 +70,8 @@ bool ClearancePass::canShare(Index face) const {
 // Of everything in the box, which is never less than what stands in the clearance: so a face that is shared is none of
 // which the clipper would leave out anything.
 bool ClearancePass::mayBeCrowded(Index face) const {
-  std::atomic<std::int8_t>& crowded = crowded_[static_cast<std::size_t>(face)];
-  if (crowded >= 0) return crowded > 0;
+  std::atomic<Crowd>& known = crowding_[static_cast<std::size_t>(face)];
+  if (const Crowd crowd = known.load(std::memory_order_relaxed); crowd != Crowd::Unknown) return crowd == Crowd::Many;
   const SourceMesh& mesh = result_->kernel->mesh();
   Crowding crowding(mesh, face);
   std::vector<std::int32_t> stack;
@@ -81,8 +80,8 @@ bool ClearancePass::mayBeCrowded(Index face) const {
                                if (obstacle != face) crowding.add(obstacle);
                                return !crowding.isCrowd();
                              });
-  crowded = crowding.isCrowd() ? 1 : 0;
-  return crowded > 0;
+  known.store(crowding.isCrowd() ? Crowd::Many : Crowd::Few, std::memory_order_relaxed);
+  return crowding.isCrowd();
 }
 
 void ClearancePass::clip(Index face, Worker& own, const std::function<void(double)>& progress) {

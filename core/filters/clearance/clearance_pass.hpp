@@ -101,8 +101,9 @@ class ClearancePass {
   std::shared_ptr<CutTable> cuts_;
   std::shared_ptr<FaceMeshes> meshes_;  ///< made by mesh()
   std::vector<char> isChanged_;
-  std::mutex mutex_;                                       ///< of what is remembered of large faces
-  mutable std::vector<std::atomic<std::int8_t>> crowded_;  ///< -1: not known yet
+  std::mutex mutex_;  ///< of what is remembered of large faces
+  enum class Crowd : std::int8_t { Unknown, Few, Many };
+  mutable std::vector<std::atomic<Crowd>> crowding_;
   tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
 };
 

@@ -22,6 +22,7 @@
 #include "core/filters/layers/layer_cover.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
 #include "core/filters/layers/plan_overlaps.hpp"
+#include "core/mesh/first_uses.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
@@ -121,7 +122,7 @@ class LayerSubdivision {
   void findNeighbors(const std::vector<char>& divided) {
     std::vector<MeshTriangle> renumbered;
     Adjacency own;
-    if (numberByFirstUse(renumbered)) own = findEdges(renumbered, mesh_.vertices.size(), context_);
+    if (renumber(renumbered)) own = findEdges(renumbered, mesh_.vertices.size(), context_);
     const Adjacency& edges = renumbered.empty() ? topology_ : own;
     std::vector<Pair> pairs;
     for (Index e = 0; e < edges.edgeCount(); ++e) {
@@ -134,20 +135,14 @@ class LayerSubdivision {
   }
 
   // False where vertices are in that order already.
-  bool numberByFirstUse(std::vector<MeshTriangle>& triangles) const {
-    std::vector<Index> numbers(mesh_.vertices.size(), -1);
-    Index next = 0, last = -1;
-    bool isInOrder = true;
-    for (const MeshTriangle& triangle : mesh_.triangles)
-      for (const Index v : triangle.corners) {
-        if (numbers[v] >= 0) continue;
-        numbers[v] = next++;
-        isInOrder = isInOrder && v > std::exchange(last, v);
-      }
-    if (isInOrder) return false;
+  bool renumber(std::vector<MeshTriangle>& triangles) const {
+    const FirstUses uses = findFirstUses(
+        mesh_.triangles.size(), mesh_.vertices.size(), [&](std::size_t t) { return mesh_.triangles[t].corners; },
+        context_);
+    if (std::is_sorted(uses.order.begin(), uses.order.end())) return false;
     triangles = mesh_.triangles;
     for (MeshTriangle& triangle : triangles)
-      for (Index& v : triangle.corners) v = numbers[v];
+      for (Index& v : triangle.corners) v = uses.numbers[v];
     return true;
   }
 
@@ -341,6 +336,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   tbb::parallel_invoke([&] { layers = subdivision.run(recall.before); },
                        [&] {
                          if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
+                         if (recall.meanwhile) recall.meanwhile(*state, *topology);
                        });
   if (isOwn) mesh = ownMeshOf(*state);
   mesh->layers = std::move(layers);

@@ -165,13 +165,15 @@ class OverlapFinder {
   void findInnerSides(const Adjacency& topology) {
     const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
-    for (Index e = 0; e < topology.edgeCount(); ++e) {
-      const auto sides = topology.sidesOf(e);
-      if (sides.size() != 2 || corners.beginOf(sides[0]) == corners.beginOf(sides[1])) continue;
-      across_[sides[0]] = sides[1] / 3;
-      across_[sides[1]] = sides[0] / 3;
-    }
-    context_.checkCancelled();
+    tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+      context_.checkCancelled();
+      for (Index e = range.begin(); e != range.end(); ++e) {
+        const auto sides = topology.sidesOf(e);
+        if (sides.size() != 2 || corners.beginOf(sides[0]) == corners.beginOf(sides[1])) continue;
+        across_[sides[0]] = sides[1] / 3;
+        across_[sides[1]] = sides[0] / 3;
+      }
+    });
   }
 
   [[nodiscard]] bool isAtBorder(Index t) const {
@@ -370,6 +372,7 @@ class OverlapFinder {
   }
 
   static constexpr std::size_t kPerTask = 256, kFirstBatch = 256;
+  static constexpr Index kEdgesPerTask = 8192;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kNever = std::numeric_limits<Index>::max();

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/obstacle_split.hpp"
 #include "core/base/geometry.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/known_places.hpp"
@@ -18,9 +21,13 @@
 #include "core/filters/rounding/rounded_drops.hpp"
 #include "core/filters/rounding/rounded_links.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
+#include "core/filters/rounding/settled_product.hpp"
+#include "core/mesh/first_uses.hpp"
 
 namespace footfall::detail {
 namespace {
+
+constexpr std::size_t kPerTask = 8192;
 
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -80,9 +87,12 @@ struct SplitParts {
   Adjacency topology;
 };
 
-SplitParts splitOf(const std::vector<MeshTriangle>& triangles, const std::vector<std::uint32_t>& layers,
-                   std::size_t vertexCount, const Adjacency& edges, Poll poll) {
-  SplitParts parts{splitAtObstacleEdges(triangles, layers, vertexCount, edges, poll), {}};
+// In place of layers, triangles have their numbers: all that follows carries those along.
+SplitParts splitOf(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount, const Adjacency& edges,
+                   Poll poll) {
+  std::vector<std::uint32_t> numbers(triangles.size());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  SplitParts parts{splitAtObstacleEdges(triangles, numbers, vertexCount, edges, poll), {}};
   parts.topology = findEdges(parts.mesh.triangles, parts.mesh.vertices.size(), poll);
   return parts;
 }
@@ -126,21 +136,15 @@ std::vector<Index> bordersOf(const Adjacency& topology, const std::vector<Index>
   return borders;
 }
 
-/// A rounded mesh that is in order, with its edges.
-struct SettledMesh {
-  RoundedMesh mesh;
-  Adjacency topology;
-  std::vector<std::array<Vec3, 2>> moved;  ///< places that repairs brought to others, in that order
-};
-
 // Repairs what rounding broke. `places` and `exact` are those of the vertices before they were split.
 SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std::vector<char>& exact,
                    RunContext& context) {
   std::vector<char> sturdy;
   sturdy.reserve(parts.mesh.vertices.size());
   for (const SplitVertex& v : parts.mesh.vertices) sturdy.push_back(v.origin >= 0 ? exact[v.origin] : char{0});
-  SettledMesh settled{withPlaces(std::move(parts.mesh), places), std::move(parts.topology), {}};
-  auto& [rounded, topology, moved] = settled;
+  SettledMesh settled{withPlaces(std::move(parts.mesh), places), std::move(parts.topology), {}, {}};
+  auto& rounded = settled.mesh;
+  auto& topology = settled.topology;
   context.checkCancelled();
   const auto findAgain = [&context](const SettledMesh& made) {
     return findEdges(made.mesh.triangles, made.mesh.vertices.size(), Poll(context));
@@ -170,7 +174,15 @@ SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std:
   context.checkCancelled();
   if (markClosedSlivers(rounded, topology, suspects, context)) topology = findAgain(settled);
   context.checkCancelled();
+  settled.origins = std::exchange(rounded.layers, {});
   return settled;
+}
+
+// `layers` are those of the mesh that was given, or empty.
+void addLayers(SettledMesh& settled, const std::vector<std::uint32_t>& layers) {
+  if (layers.empty()) return;
+  settled.mesh.layers.reserve(settled.origins.size());
+  for (const std::uint32_t origin : settled.origins) settled.mesh.layers.push_back(layers[origin]);
 }
 
 // Triangles in the given order; vertices in the order of their first use. `sources` has the input triangle of each
@@ -178,29 +190,30 @@ SettledMesh settle(SplitParts parts, const std::vector<Vec3>& places, const std:
 std::shared_ptr<NavigationMesh> numbered(const SettledMesh& settled, const std::vector<Index>& order,
                                          std::span<const std::uint32_t> sources, const RunContext& context) {
   const RoundedMesh& rounded = settled.mesh;
+  const FirstUses uses = findFirstUses(
+      order.size(), rounded.vertices.size(), [&](std::size_t i) { return rounded.triangles[order[i]].corners; },
+      Poll(context));
   auto result = std::make_shared<NavigationMesh>();
-  result->triangles.reserve(order.size());
-  result->sourceTriangles.reserve(order.size());
-  result->layers.reserve(rounded.layers.size());
-  std::vector<Index> renumbered(rounded.vertices.size(), -1);
-  for (const Index i : order) {
-    const MeshTriangle& t = rounded.triangles[i];
-    Triangle corners{};
-    for (int k = 0; k < 3; ++k) {
-      Index& number = renumbered[t.corners[k]];
-      if (number < 0) {
-        number = static_cast<Index>(result->vertices.size());
-        result->vertices.push_back(rounded.vertices[t.corners[k]]);
-      }
-      corners[k] = static_cast<std::uint32_t>(number);
+  result->vertices.resize(uses.order.size());
+  result->triangles.resize(order.size());
+  result->sourceTriangles.resize(order.size());
+  result->layers.resize(rounded.layers.size());
+  forRanges(uses.order.size(), kPerTask, [&](std::size_t first, std::size_t last) {
+    context.checkCancelled();
+    for (std::size_t v = first; v < last; ++v) result->vertices[v] = rounded.vertices[uses.order[v]];
+  });
+  forRanges(order.size(), kPerTask, [&](std::size_t first, std::size_t last) {
+    context.checkCancelled();
+    for (std::size_t i = first; i < last; ++i) {
+      const MeshTriangle& t = rounded.triangles[order[i]];
+      for (int k = 0; k < 3; ++k) result->triangles[i][k] = static_cast<std::uint32_t>(uses.numbers[t.corners[k]]);
+      result->sourceTriangles[i] = sources[t.face];
+      if (!rounded.layers.empty()) result->layers[i] = rounded.layers[order[i]];
     }
-    result->triangles.push_back(corners);
-    result->sourceTriangles.push_back(sources[t.face]);
-    if (!rounded.layers.empty()) result->layers.push_back(rounded.layers[i]);
-  }
+  });
   context.checkCancelled();
-  addObstacleEdges(rounded, order, renumbered, *result);
-  addConnections(rounded, settled.topology, renumbered, *result);
+  addObstacleEdges(rounded, order, uses.numbers, *result);
+  addConnections(rounded, settled.topology, uses.numbers, *result);
   return result;
 }
 
@@ -216,25 +229,36 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& given, 
                                                          RunContext& context) {
   ExactFallbacks fallbacks;
   const StatePtr state = withMesh(given, context, fallbacks);
-  const WalkableMesh& mesh = *state->mesh;
+  SettledProduct product = settleProduct(*state, *topologyOf(*state, Poll(context)), known, context);
+  kept = product.rounded;
+  return makeNavigationMesh(*state, std::move(product), context);
+}
+
+SettledProduct settleProduct(const WalkableState& state, const Adjacency& topology, const KnownPlaces& known,
+                             RunContext& context) {
+  const WalkableMesh& mesh = *state.mesh;
   const auto rounded = std::make_shared<RoundedPlaces>();
   SplitParts parts;
-  tbb::parallel_invoke([&] { *rounded = roundVertices(*state->kernel, mesh.vertices, known, context); },
-                       [&] {
-                         parts = splitOf(mesh.triangles, mesh.layers, mesh.vertices.size(),
-                                         *topologyOf(*state, Poll(context)), context);
-                       });
-  const std::vector<Vec3>& places = rounded->places;
-  const SettledMesh settled = settle(std::move(parts), places, rounded->exact, context);
-  kept = rounded;
+  tbb::parallel_invoke([&] { *rounded = roundVertices(*state.kernel, mesh.vertices, known, context); },
+                       [&] { parts = splitOf(mesh.triangles, mesh.vertices.size(), topology, context); });
+  SettledMesh settled = settle(std::move(parts), rounded->places, rounded->exact, context);
+  return {rounded, std::move(settled)};
+}
+
+std::shared_ptr<const NavigationMesh> makeNavigationMesh(const WalkableState& state, SettledProduct product,
+                                                         const RunContext& context) {
+  const WalkableMesh& mesh = *state.mesh;
+  SettledMesh& settled = product.settled;
+  const std::vector<Vec3>& places = product.rounded->places;
+  addLayers(settled, mesh.layers);
   const std::vector<Index> order = orderByLayer(settled.mesh);
-  const auto& sources = state->kernel->mesh().inputTriangles;
+  const auto& sources = state.kernel->mesh().inputTriangles;
   const auto result = numbered(settled, order, {sources.begin(), sources.end()}, context);
   result->layerCount = mesh.layerCount;
-  result->frame = state->environment->frame();
+  result->frame = state.environment->frame();
   if (!mesh.links.empty())
     result->links = roundLinks(mesh.links, places, settled.moved, bordersOf(settled.topology, order), *result);
-  result->drops = roundDrops(*state, places, settled.moved, *result);
+  result->drops = roundDrops(state, places, settled.moved, *result);
   return result;
 }
 
@@ -242,8 +266,8 @@ std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunCo
   const std::size_t count = mesh.places.size();
   const Adjacency edges = findEdges(mesh.triangles, count, Poll(context));
   const std::vector<MeshLink> links = linksBetween(mesh.links, mesh.triangles, edges);
-  const SettledMesh settled =
-      settle(splitOf(mesh.triangles, mesh.layers, count, edges, context), mesh.places, mesh.exact, context);
+  SettledMesh settled = settle(splitOf(mesh.triangles, count, edges, context), mesh.places, mesh.exact, context);
+  addLayers(settled, mesh.layers);
   const std::vector<Index> order = orderByLayer(settled.mesh);
   std::shared_ptr<NavigationMesh> result = numbered(settled, order, mesh.sources, context);
   for (const std::uint32_t layer : mesh.layers) result->layerCount = std::max(result->layerCount, layer + 1);

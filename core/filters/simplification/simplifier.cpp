@@ -9,14 +9,17 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/mesh/first_uses.hpp"
 
 namespace footfall::detail {
 namespace {
 
 constexpr Index kEdgesPerTask = 4096;
 constexpr Index kVerticesPerTask = 4096;
+constexpr std::size_t kTrianglesPerBlock = 8192;
 constexpr Index kTrianglesPerTask = 1024;
 constexpr Index kPolled = 1 << 16;
 
@@ -278,33 +281,44 @@ Simplifier::Groups Simplifier::findGroups(const std::vector<char>& candidates) c
   return groups;
 }
 
+void Simplifier::copyAlive(WalkableMesh& result) const {
+  const std::size_t count = mesh_.triangles.size();
+  std::vector<std::size_t> firstOfBlock((count + kTrianglesPerBlock - 1) / kTrianglesPerBlock + 1, 0);
+  const auto forBlocks = [&](auto work) {
+    tbb::parallel_for(std::size_t{0}, firstOfBlock.size() - 1, [&](std::size_t block) {
+      context_.checkCancelled();
+      work(block, block * kTrianglesPerBlock, std::min((block + 1) * kTrianglesPerBlock, count));
+    });
+  };
+  forBlocks([&](std::size_t block, std::size_t first, std::size_t last) {
+    firstOfBlock[block + 1] = static_cast<std::size_t>(
+        std::count_if(mesh_.alive.data() + first, mesh_.alive.data() + last, [](auto alive) { return alive != 0; }));
+  });
+  std::partial_sum(firstOfBlock.begin(), firstOfBlock.end(), firstOfBlock.begin());
+  result.triangles.resize(firstOfBlock.back());
+  if (!given_.layers.empty()) result.layers.resize(firstOfBlock.back());
+  forBlocks([&](std::size_t block, std::size_t first, std::size_t last) {
+    std::size_t place = firstOfBlock[block];
+    for (std::size_t t = first; t < last; ++t) {
+      if (mesh_.alive[t] == 0) continue;
+      if (!given_.layers.empty()) result.layers[place] = given_.layers[t];
+      result.triangles[place++] = mesh_.triangles[t];
+    }
+  });
+}
+
 WalkableMesh Simplifier::compact() const {
   WalkableMesh result;
-  std::vector<Index> renumbered(mesh_.vertices.size(), -1);
-  std::vector<Index> order;
-  result.triangles.reserve(mesh_.triangles.size());
-  for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (t % kPolled == 0) context_.checkCancelled();
-    if (mesh_.alive[t] == 0) continue;
-    MeshTriangle m = mesh_.triangles[t];
-    for (Index& v : m.corners) {
-      if (renumbered[v] < 0) {
-        renumbered[v] = static_cast<Index>(order.size());
-        order.push_back(v);
-      }
-      v = renumbered[v];
-    }
-    result.triangles.push_back(m);
-    if (!given_.layers.empty()) result.layers.push_back(given_.layers[t]);
-  }
-  result.vertices.resize(order.size());
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, order.size(), kVerticesPerTask), [&](const auto& range) {
+  copyAlive(result);
+  const FirstUses uses = renumberByFirstUse(result.triangles, mesh_.vertices.size(), context_);
+  result.vertices.resize(uses.order.size());
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, uses.order.size(), kVerticesPerTask), [&](const auto& range) {
     context_.checkCancelled();
-    for (std::size_t v = range.begin(); v != range.end(); ++v) result.vertices[v] = mesh_.vertices[order[v]];
+    for (std::size_t v = range.begin(); v != range.end(); ++v) result.vertices[v] = mesh_.vertices[uses.order[v]];
   });
   result.layerCount = given_.layerCount;
   for (MeshLink link : given_.links) {
-    for (Index* v : {&link.from[0], &link.from[1], &link.to[0], &link.to[1]}) *v = renumbered[*v];
+    for (Index* v : {&link.from[0], &link.from[1], &link.to[0], &link.to[1]}) *v = uses.numbers[*v];
     result.links.push_back(link);
   }
   std::sort(result.links.begin(), result.links.end());

@@ -81,6 +81,8 @@ class Simplifier {
   /// Whether the group is what an earlier one was.
   [[nodiscard]] bool isKnown(std::span<const Index> triangles, const std::vector<char>& candidates) const;
   void copyEarlier(std::span<const Index> triangles);
+  /// The triangles that are left, over the same vertices.
+  void copyAlive(WalkableMesh& result) const;
   WalkableMesh compact() const;
 
   const PlanKernel& kernel_;

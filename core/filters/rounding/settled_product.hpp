@@ -1,0 +1,36 @@
+// The product but for its layers.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/filters/rounding/known_places.hpp"
+#include "core/filters/rounding/rounded_mesh.hpp"
+
+namespace footfall::detail {
+
+/// A rounded mesh that is in order, with its edges.
+struct SettledMesh {
+  RoundedMesh mesh;  ///< no layers: `origins` tells them
+  Adjacency topology;
+  std::vector<std::array<Vec3, 2>> moved;  ///< places that repairs brought to others, in that order
+  std::vector<std::uint32_t> origins;      ///< for each triangle the one of the given mesh that it is (a part of)
+};
+
+/// What makeNavigationMesh() finds out of a state's mesh and edges before it asks for layers and links.
+struct SettledProduct {
+  std::shared_ptr<const RoundedPlaces> rounded;
+  SettledMesh settled;
+};
+
+/// So that it can be found while the layers are. The state has a mesh, whose edges `topology` has.
+SettledProduct settleProduct(const WalkableState& state, const Adjacency& topology, const KnownPlaces& known,
+                             RunContext& context);
+
+/// The rest. The mesh of the state is that which was given above, but for its layers.
+std::shared_ptr<const NavigationMesh> makeNavigationMesh(const WalkableState& state, SettledProduct product,
+                                                         const RunContext& context);
+
+}  // namespace footfall::detail
