@@ -7,12 +7,25 @@
 #include <optional>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/parallel_ranges.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
+constexpr std::size_t kTrianglesPerTask = 8192;
+
+/// For each triangle its number among those that stay, or -1.
+std::vector<Index> numbersOfKept(const RegionChoice& choice, RunContext& context) {
+  std::vector<Index> numbers(choice.region.size());
+  Index next = 0;
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (t % kPolled == 0) context.checkCancelled();
+    numbers[t] = choice.keep[choice.region[t]] != 0 ? next++ : -1;
+  }
+  return numbers;
+}
 
 }  // namespace
 
@@ -88,18 +101,27 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
   auto kept = std::make_shared<WalkableMesh>();
   auto dropped = std::make_shared<WalkableMesh>();
   if (state.dropped) *dropped = *state.dropped;
-  std::vector<Index> droppedVertex(mesh.vertices.size(), -1), renumbered(mesh.triangles.size(), -1);
-  const auto divide = [&] {
-    kept->triangles.reserve(mesh.triangles.size());
+  const std::vector<Index> renumbered = numbersOfKept(choice, context);
+  const auto keep = [&] {
+    const auto keptCount = static_cast<std::size_t>(
+        std::count_if(renumbered.begin(), renumbered.end(), [](Index number) { return number >= 0; }));
+    kept->triangles.resize(keptCount);
+    if (!mesh.layers.empty()) kept->layers.resize(keptCount);
+    forRanges(renumbered.size(), kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
+      context.checkCancelled();
+      for (std::size_t t = first; t < last; ++t) {
+        if (renumbered[t] < 0) continue;
+        kept->triangles[renumbered[t]] = mesh.triangles[t];
+        if (!mesh.layers.empty()) kept->layers[renumbered[t]] = mesh.layers[t];
+      }
+    });
+  };
+  const auto drop = [&] {
+    std::vector<Index> droppedVertex(mesh.vertices.size(), -1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
+      if (renumbered[t] >= 0) continue;
       MeshTriangle triangle = mesh.triangles[t];
-      if (choice.keep[choice.region[t]] != 0) {
-        renumbered[t] = static_cast<Index>(kept->triangles.size());
-        kept->triangles.push_back(triangle);
-        if (!mesh.layers.empty()) kept->layers.push_back(mesh.layers[t]);
-        continue;
-      }
       for (Index& v : triangle.corners) {
         if (droppedVertex[v] < 0) {
           droppedVertex[v] = static_cast<Index>(dropped->vertices.size());
@@ -111,12 +133,14 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
     }
   };
   const bool isTaken = choice.isLast && state.mesh.use_count() == 1;
-  tbb::parallel_invoke(divide, [&] {
-    if (!isTaken) kept->vertices = mesh.vertices;
-  });
+  std::shared_ptr<const Adjacency> topology;
+  tbb::parallel_invoke(
+      keep, drop,
+      [&] { topology = std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered, context)); },
+      [&] {
+        if (!isTaken) kept->vertices = mesh.vertices;
+      });
   if (isTaken) kept->vertices = std::move(ownMeshOf(state)->vertices);
-  auto topology =
-      std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered, [&] { context.checkCancelled(); }));
   kept->layerCount = mesh.layerCount;
   kept->links = linksBetween(mesh.links, kept->triangles, *topology);
   kept->drops = dropsBetween(mesh, kept->triangles, renumbered, *topology);

@@ -6,9 +6,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
+#include <numeric>
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/unfilled_array.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -16,10 +19,12 @@ namespace {
 // Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
 constexpr Index kVerticesPerTask = 4096;
 constexpr Index kPolledTriangles = 1 << 16;
-// Triangles that one thread sorts by their vertices. Of more, each thread takes a part of the vertices and looks at all
-// triangles; with more threads than this, looking is all that they would do.
+// Triangles that one thread sorts by their vertices. Of more, each thread takes a part of the vertices and looks at the
+// blocks of triangles that may have some of them: few where vertices are numbered by their first use, all at worst.
+// With more threads than this, looking is all that they would do.
 constexpr Index kFewTriangles = 4096;
-constexpr Index kMostParts = 8;
+constexpr Index kMostParts = 16;
+constexpr Index kTrianglesPerBlock = 1024;
 
 /// A side among those with the same smaller vertex: by the larger vertex, then by number.
 using Entry = std::uint64_t;
@@ -55,13 +60,36 @@ void forVertices(Index count, Poll poll, Work work) {
                     });
 }
 
+/// The smaller vertices of the edges of a block of triangles lie between these.
+struct VertexRange {
+  Index low = std::numeric_limits<Index>::max(), high = -1;
+};
+
+std::vector<VertexRange> rangesOf(const TriangleCorners& triangles, Poll poll) {
+  const Index count = triangles.size();
+  std::vector<VertexRange> ranges((count + kTrianglesPerBlock - 1) / kTrianglesPerBlock);
+  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t block) {
+    poll();
+    VertexRange range;
+    const Index first = static_cast<Index>(block) * kTrianglesPerBlock;
+    for (Index t = first; t < std::min(first + kTrianglesPerBlock, count); ++t)
+      for (int k = 0; k < 3; ++k) {
+        range.low = std::min(range.low, triangles[t][k]);
+        range.high = std::max(range.high, triangles[t][k]);
+      }
+    ranges[block] = range;
+  });
+  return ranges;
+}
+
 }  // namespace
 
 // A counting sort by the smaller vertex, then each vertex's few sides by the larger one.
 Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, Poll poll) {
   const Index count = triangles.size(), vertices = static_cast<Index>(vertexCount);
   std::vector<Index> bucket(vertexCount + 1, 0);
-  // Each part looks at all triangles, and deals with the sides of its own vertices.
+  // Each part deals with the sides of its own vertices.
+  const std::vector<VertexRange> ranges = rangesOf(triangles, poll);
   const Index parts = count < kFewTriangles ? 1 : std::min<Index>(tbb::this_task_arena::max_concurrency(), kMostParts);
   const auto forSides = [&](const auto& visit) {
     tbb::parallel_for(Index{0}, parts, [&](Index part) {
@@ -69,6 +97,13 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
       const auto last = static_cast<Index>(std::int64_t{vertices} * (part + 1) / parts);
       for (Index t = 0; t < count; ++t) {
         if (t % kPolledTriangles == 0) poll();
+        if (t % kTrianglesPerBlock == 0 && parts > 1) {
+          const VertexRange& range = ranges[t / kTrianglesPerBlock];
+          if (range.high < first || range.low >= last) {
+            t += kTrianglesPerBlock - 1;
+            continue;
+          }
+        }
         const Index* c = triangles[t];
         for (int k = 0; k < 3; ++k) {
           const Index v = c[k], w = c[k == 2 ? 0 : k + 1], smaller = std::min(v, w);
@@ -80,9 +115,9 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
   forSides([&](Index smaller, Index, Index) { ++bucket[smaller]; });
   Index sum = 0;
   for (Index& size : bucket) sum += std::exchange(size, sum);
-  std::vector<Entry> entries(static_cast<std::size_t>(count) * 3);
+  UnfilledArray<Entry> entries(static_cast<std::size_t>(count) * 3);
   forSides([&](Index smaller, Index larger, Index side) {
-    entries[bucket[smaller]++] = static_cast<Entry>(larger) << 32 | static_cast<Entry>(side);
+    entries.fill(bucket[smaller]++, static_cast<Entry>(larger) << 32 | static_cast<Entry>(side));
   });
 
   // Now bucket[v] is where the sides of v end.
@@ -97,7 +132,8 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
     Index edges = 0;
     for (Index v = first; v < last; ++v) {
       const Index begin = beginOfBucket(v);
-      sortEntries(entries.data() + begin, entries.data() + bucket[v]);
+      if (begin == bucket[v]) continue;
+      sortEntries(&entries[begin], &entries[begin] + (bucket[v] - begin));
       for (Index i = begin; i < bucket[v]; ++i) {
         adjacency.sides[i] = static_cast<Index>(entries[i] & 0xFFFFFFFF);
         edges += static_cast<Index>(isFirst(i, begin));
@@ -120,17 +156,43 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
 }
 
 Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered, Poll poll) {
+  constexpr Index kEdgesPerBlock = 8192;
+  const Index edgeCount = all.edgeCount();
+  const auto blocks = static_cast<std::size_t>((edgeCount + kEdgesPerBlock - 1) / kEdgesPerBlock);
+  std::vector<Index> edgesBefore(blocks + 1, 0), sidesBefore(blocks + 1, 0);
+  const auto forBlocks = [&](const auto& work) {
+    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+      poll();
+      const Index first = static_cast<Index>(block) * kEdgesPerBlock;
+      work(block, first, std::min(first + kEdgesPerBlock, edgeCount));
+    });
+  };
+  forBlocks([&](std::size_t block, Index first, Index last) {
+    Index edges = 0, sides = 0;
+    for (Index e = first; e < last; ++e) {
+      Index own = 0;
+      for (const Index side : all.sidesOf(e)) own += static_cast<Index>(renumbered[side / 3] >= 0);
+      sides += own;
+      edges += static_cast<Index>(own > 0);
+    }
+    edgesBefore[block + 1] = edges;
+    sidesBefore[block + 1] = sides;
+  });
+  std::partial_sum(edgesBefore.begin(), edgesBefore.end(), edgesBefore.begin());
+  std::partial_sum(sidesBefore.begin(), sidesBefore.end(), sidesBefore.begin());
   Adjacency some;
-  some.sides.reserve(all.sides.size());
-  some.first.reserve(all.first.size());
-  for (Index e = 0; e < all.edgeCount(); ++e) {
-    if (e % kPolledTriangles == 0) poll();
-    const auto first = static_cast<Index>(some.sides.size());
-    for (const Index side : all.sidesOf(e))
-      if (const Index t = renumbered[side / 3]; t >= 0) some.sides.push_back(3 * t + side % 3);
-    if (static_cast<Index>(some.sides.size()) > first) some.first.push_back(first);
-  }
-  some.first.push_back(static_cast<Index>(some.sides.size()));
+  some.sides.resize(static_cast<std::size_t>(sidesBefore.back()));
+  some.first.resize(static_cast<std::size_t>(edgesBefore.back()) + 1);
+  some.first.back() = sidesBefore.back();
+  forBlocks([&](std::size_t block, Index first, Index last) {
+    Index edge = edgesBefore[block], next = sidesBefore[block];
+    for (Index e = first; e < last; ++e) {
+      const Index begin = next;
+      for (const Index side : all.sidesOf(e))
+        if (const Index t = renumbered[side / 3]; t >= 0) some.sides[next++] = 3 * t + side % 3;
+      if (next > begin) some.first[edge++] = begin;
+    }
+  });
   return some;
 }
 

@@ -2,6 +2,7 @@
 #include "core/filters/layers/layer_pieces.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <queue>
 #include <set>
@@ -14,9 +15,9 @@ constexpr Index kNone = -1;
 
 class RegionSubdivision {
  public:
-  RegionSubdivision(const LayerInput& input, std::span<const Index> triangles, std::vector<Index>& piece,
-                    RunContext& context)
-      : input_(input), triangles_(triangles), piece_(piece), context_(context) {}
+  RegionSubdivision(const LayerInput& input, std::span<const Index> triangles, std::span<const Index> ranks,
+                    std::vector<Index>& piece, RunContext& context)
+      : input_(input), triangles_(triangles), ranks_(ranks), piece_(piece), context_(context) {}
 
   std::vector<Index> run() {
     growPieces();
@@ -29,30 +30,25 @@ class RegionSubdivision {
  private:
   void growPieces() {
     for (const Index t : triangles_) piece_[t] = kNone;
-    std::vector<Index> order(triangles_.begin(), triangles_.end());
-    const auto isLower = [&](Index a, Index b) {
-      return input_.lowest[a] != input_.lowest[b] ? input_.lowest[a] < input_.lowest[b] : a < b;
-    };
-    std::sort(order.begin(), order.end(), isLower);
-    const auto isHigher = [&](Index a, Index b) { return isLower(b, a); };
-    std::priority_queue<Index, std::vector<Index>, decltype(isHigher)> front(isHigher);
+    std::priority_queue<Index, std::vector<Index>, std::greater<>> front;  // of ranks
     std::size_t polls = 0;
-    for (const Index seed : order) {
+    for (const Index lowest : ranks_) {
+      const Index seed = input_.byHeight[lowest];
       if (piece_[seed] >= 0) continue;
       const auto piece = static_cast<Index>(seeds_.size());
       const Index blocked = kNone - 1 - piece;  // a triangle that overlaps the piece
       seeds_.push_back(seed);
-      front.push(seed);
+      front.push(lowest);
       while (!front.empty()) {
         if ((++polls & 1023) == 0) context_.checkCancelled();
-        const Index t = front.top();
+        const Index t = input_.byHeight[front.top()];
         front.pop();
         if (piece_[t] >= 0 || piece_[t] == blocked) continue;
         piece_[t] = piece;
         for (const Index o : input_.overlaps[t])
           if (piece_[o] < 0) piece_[o] = blocked;
         for (const Index n : input_.neighbors[t])
-          if (piece_[n] < 0 && piece_[n] != blocked) front.push(n);
+          if (piece_[n] < 0 && piece_[n] != blocked) front.push(input_.rank[n]);
       }
     }
   }
@@ -61,12 +57,15 @@ class RegionSubdivision {
   void mergePieces() {
     std::vector<std::map<Index, int>> cuts(seeds_.size());  // connections with each neighbouring piece
     std::vector<std::set<Index>> conflicts(seeds_.size());
+    Index last = kNone, lastConflict = kNone;  // most triangles say what the one before did
     for (const Index t : triangles_) {
       const Index p = piece_[t];
       for (const Index n : input_.neighbors[t])
         if (piece_[n] != p) ++cuts[p][piece_[n]];
-      for (const Index o : input_.overlaps[t])
-        if (piece_[o] != p) conflicts[p].insert(piece_[o]);
+      for (const Index o : input_.overlaps[t]) {
+        if (piece_[o] == p || (p == last && piece_[o] == lastConflict)) continue;
+        conflicts[last = p].insert(lastConflict = piece_[o]);
+      }
     }
     context_.checkCancelled();
     using Candidate = std::tuple<int, Index, Index>;  // fewest connections (negative: most), then the pair
@@ -137,7 +136,7 @@ class RegionSubdivision {
   }
 
   const LayerInput& input_;
-  std::span<const Index> triangles_;
+  std::span<const Index> triangles_, ranks_;
   std::vector<Index>& piece_;
   RunContext& context_;
   std::vector<Index> seeds_;
@@ -145,9 +144,9 @@ class RegionSubdivision {
 
 }  // namespace
 
-std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles, std::vector<Index>& piece,
-                                   RunContext& context) {
-  return RegionSubdivision(input, triangles, piece, context).run();
+std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
+                                   std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context) {
+  return RegionSubdivision(input, triangles, ranks, piece, context).run();
 }
 
 }  // namespace footfall::detail

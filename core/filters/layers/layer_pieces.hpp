@@ -26,15 +26,17 @@ struct IndexLists {
 
 /// What subdividing a region needs to know; shared by all threads.
 struct LayerInput {
-  std::vector<double> lowest;  ///< for each triangle the height of its lowest corner; decides the order of growth
-  IndexLists neighbors;        ///< across edges that are not obstacle edges; only within regions that are subdivided
-  IndexLists overlaps;         ///< triangles of the same region that overlap it in the plan
+  /// Triangles in the order of growth, by the height of the lowest corner and then by number, and for each triangle its
+  /// place there; only those of regions that are subdivided.
+  std::vector<Index> byHeight, rank;
+  IndexLists neighbors;  ///< across edges that are not obstacle edges; only within regions that are subdivided
+  IndexLists overlaps;   ///< triangles of the same region that overlap it in the plan
 };
 
-/// Numbers the pieces of the region of `triangles` (ascending) from 0 and writes the numbers to `piece[t]`, other
-/// elements of which are left alone. Returns for each number the triangle from which the piece grew; a number may have
-/// no triangles any more. A smaller number has the lower first triangle.
-std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles, std::vector<Index>& piece,
-                                   RunContext& context);
+/// Numbers the pieces of the region of `triangles` (ascending; `ranks` has theirs, ascending) from 0 and writes the
+/// numbers to `piece[t]`, other elements of which are left alone. Returns for each number the triangle from which the
+/// piece grew; a number may have no triangles any more. A smaller number has the lower first triangle.
+std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
+                                   std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context);
 
 }  // namespace footfall::detail

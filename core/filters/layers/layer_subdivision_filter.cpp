@@ -8,6 +8,7 @@
 // layers are asked whether they have room for a piece (layer_cover.hpp). The result is the same.
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/parallel_invoke.h>
+#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <map>
@@ -107,12 +108,12 @@ class LayerSubdivision {
   }
 
   void findLowest() {
-    input_.lowest.resize(count_);
+    lowest_.resize(count_);
     tbb::parallel_for(tbb::blocked_range<Index>(0, count_, kTrianglesPerTask), [&](const auto& range) {
       context_.checkCancelled();
       for (Index t = range.begin(); t != range.end(); ++t) {
         const auto& c = mesh_.triangles[t].corners;
-        input_.lowest[t] = std::min({mesh_.vertices[c[0]].z, mesh_.vertices[c[1]].z, mesh_.vertices[c[2]].z});
+        lowest_[t] = std::min({mesh_.vertices[c[0]].z, mesh_.vertices[c[1]].z, mesh_.vertices[c[2]].z});
       }
     });
   }
@@ -146,6 +147,20 @@ class LayerSubdivision {
     return true;
   }
 
+  void sortByHeight(const std::vector<char>& divided) {
+    std::vector<std::pair<double, Index>> heights;
+    for (Index t = 0; t < count_; ++t)
+      if (divided[region_[t]] != 0) heights.push_back({lowest_[t], t});
+    tbb::parallel_sort(heights.begin(), heights.end());
+    context_.checkCancelled();
+    input_.byHeight.resize(heights.size());
+    input_.rank.assign(count_, -1);
+    for (std::size_t rank = 0; rank < heights.size(); ++rank) {
+      input_.byHeight[rank] = heights[rank].second;
+      input_.rank[heights[rank].second] = static_cast<Index>(rank);
+    }
+  }
+
   // Numbers all pieces by the height of the triangles from which they grew.
   void subdivideRegions() {
     std::vector<char> divided(regionCount_, 0);
@@ -155,7 +170,8 @@ class LayerSubdivision {
       divided[region_[pair[0]]] = 1;
       within.push_back(pair);
     }
-    tbb::parallel_invoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); });
+    tbb::parallel_invoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); },
+                         [&] { sortByHeight(divided); });
     context_.checkCancelled();
 
     std::vector<Index> number(regionCount_, -1), regions, first{0};
@@ -168,16 +184,25 @@ class LayerSubdivision {
     for (const Index r : region_)
       if (number[r] >= 0) ++first[number[r] + 1];
     for (std::size_t i = 0; i < regions.size(); ++i) first[i + 1] += first[i];
-    std::vector<Index> triangles(first.back()), next = first;
-    for (Index t = 0; t < count_; ++t)
-      if (const Index n = number[region_[t]]; n >= 0) triangles[next[n]++] = t;
+    std::vector<Index> triangles(first.back()), ranks(first.back());
+    tbb::parallel_invoke(
+        [&] {
+          std::vector<Index> next = first;
+          for (Index t = 0; t < count_; ++t)
+            if (const Index n = number[region_[t]]; n >= 0) triangles[next[n]++] = t;
+        },
+        [&] {
+          std::vector<Index> next = first;
+          for (std::size_t rank = 0; rank < ranks.size(); ++rank)
+            ranks[next[number[region_[input_.byHeight[rank]]]]++] = static_cast<Index>(rank);
+        });
 
     piece_.assign(count_, 0);
     std::vector<std::vector<Index>> seeds(regionCount_);
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
       context_.checkCancelled();
-      seeds[regions[i]] =
-          subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]}, piece_, context_);
+      seeds[regions[i]] = subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]},
+                                          {ranks.data() + first[i], ranks.data() + first[i + 1]}, piece_, context_);
     });
     context_.checkCancelled();
     for (Index t = 0; t < count_; ++t) {
@@ -185,7 +210,7 @@ class LayerSubdivision {
       auto& seed = seeds[region_[t]];
       if (seed.empty())
         seed.push_back(t);
-      else if (input_.lowest[t] < input_.lowest[seed[0]])
+      else if (lowest_[t] < lowest_[seed[0]])
         seed[0] = t;
     }
     numberPieces(seeds);
@@ -200,9 +225,8 @@ class LayerSubdivision {
     }
     pieceCount_ = static_cast<Index>(order.size());
     std::vector<Index> bySeed(count_, -1);
-    std::sort(order.begin(), order.end(), [&](Index a, Index b) {
-      return input_.lowest[a] != input_.lowest[b] ? input_.lowest[a] < input_.lowest[b] : a < b;
-    });
+    std::sort(order.begin(), order.end(),
+              [&](Index a, Index b) { return lowest_[a] != lowest_[b] ? lowest_[a] < lowest_[b] : a < b; });
     for (Index p = 0; p < pieceCount_; ++p) bySeed[order[p]] = p;
     for (Index t = 0; t < count_; ++t) piece_[t] = bySeed[seeds[region_[t]][piece_[t]]];
   }
@@ -312,6 +336,7 @@ class LayerSubdivision {
   bool knowsAllOverlaps_ = true;  ///< else overlaps_ are those within regions
   std::vector<Index> region_;
   Index regionCount_ = 0;
+  std::vector<double> lowest_;  ///< for each triangle the height of its lowest corner
   LayerInput input_;
   std::vector<Index> piece_;
   Index pieceCount_ = 0;
