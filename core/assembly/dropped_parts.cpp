@@ -14,7 +14,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
-constexpr std::size_t kTrianglesPerTask = 8192;
+constexpr std::size_t kTrianglesPerTask = 2048;
 
 /// For each triangle its number among those that stay, or -1.
 std::vector<Index> numbersOfKept(const RegionChoice& choice, RunContext& context) {

@@ -21,9 +21,9 @@ constexpr std::size_t kFacesPerTask = 32;
 constexpr std::size_t kLeastTasks = 16;
 // So many segments make a face that is worth beginning early.
 constexpr std::size_t kSegmentsOfGiants = 128;
-constexpr std::size_t kMeshesFreedPerTask = 8192;
+constexpr std::size_t kMeshesFreedPerTask = 2048;
 constexpr std::size_t kCopiesPerTask = 512;
-constexpr std::size_t kFacesListedPerTask = 8192;
+constexpr std::size_t kFacesListedPerTask = 2048;
 
 // All floors that are not covered, in their order.
 std::vector<FaceToJoin> facesToJoin(const WalkableState& state, const FaceMeshes& meshes, RunContext& context) {

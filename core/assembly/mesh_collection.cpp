@@ -26,7 +26,7 @@ namespace {
 constexpr std::size_t kFacesPerTask = 512;
 constexpr std::size_t kPointsPerTask = 1024;
 constexpr std::size_t kTrianglesPerTask = 1024;
-constexpr std::size_t kPointsPerBlock = 8192;
+constexpr std::size_t kPointsPerBlock = 2048;
 constexpr Index kLastPlace = std::numeric_limits<Index>::max();
 
 // What a used point is, where it is no source vertex. The last three are crossings on the face's own edges 0, 1, 2.

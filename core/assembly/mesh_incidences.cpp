@@ -31,8 +31,8 @@ namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kFacesPolled = 256;
-constexpr std::size_t kVerticesPerTask = 4096;
-constexpr std::size_t kEntriesPerTask = 8192;
+constexpr std::size_t kVerticesPerTask = 1024;
+constexpr std::size_t kEntriesPerTask = 2048;
 constexpr std::size_t kSearchedPerTask = 1024;
 constexpr std::size_t kGroup = 4;        // vertices that are looked for together, as many as lanes
 constexpr std::size_t kMostAround = 64;  // faces, or outlines, around a group of more than one

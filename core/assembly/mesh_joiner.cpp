@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kSplitsPerTask = 64;
-constexpr std::size_t kVerticesPerTask = 4096;
-constexpr std::size_t kTrianglesPerBlock = 8192;
+constexpr std::size_t kVerticesPerTask = 1024;
+constexpr std::size_t kTrianglesPerBlock = 2048;
 
 }  // namespace
 

@@ -144,8 +144,8 @@ class BoxTree {
   };
   static constexpr int kBits = 30 / D;
   static constexpr double kCells = 1 << kBits;
-  static constexpr Index kPerTask = 8192;
-  static constexpr std::ptrdiff_t kSorted = 1 << 15;  ///< so many keys are a block
+  static constexpr Index kPerTask = 2048;
+  static constexpr std::ptrdiff_t kSorted = 1 << 13;  ///< so many keys are a block
 
   template <class Work>
   static void forBlocks(Index count, Poll poll, Work work) {

@@ -22,7 +22,7 @@ namespace footfall::detail {
 namespace {
 
 // As many vertices or triangles are worth a task of their own, and a look whether to cancel.
-constexpr std::size_t kPerTask = 4096;
+constexpr std::size_t kPerTask = 1024;
 
 // Calls body(i) for 0 <= i < count, in parallel where there are many.
 template <class Body>

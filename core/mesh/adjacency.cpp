@@ -17,7 +17,7 @@ namespace footfall::detail {
 namespace {
 
 // Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
-constexpr Index kVerticesPerTask = 4096;
+constexpr Index kVerticesPerTask = 1024;
 constexpr Index kPolledTriangles = 1 << 16;
 // Triangles that one thread sorts by their vertices. Of more, each thread takes a part of the vertices and looks at the
 // blocks of triangles that may have some of them: few where vertices are numbered by their first use, all at worst.
@@ -156,7 +156,7 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
 }
 
 Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered, Poll poll) {
-  constexpr Index kEdgesPerBlock = 8192;
+  constexpr Index kEdgesPerBlock = 2048;
   const Index edgeCount = all.edgeCount();
   const auto blocks = static_cast<std::size_t>((edgeCount + kEdgesPerBlock - 1) / kEdgesPerBlock);
   std::vector<Index> edgesBefore(blocks + 1, 0), sidesBefore(blocks + 1, 0);

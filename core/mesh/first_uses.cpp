@@ -6,7 +6,7 @@
 namespace footfall::detail {
 
 FirstUses renumberByFirstUse(std::vector<MeshTriangle>& triangles, std::size_t vertexCount, Poll poll) {
-  constexpr std::size_t kTrianglesPerTask = 8192;
+  constexpr std::size_t kTrianglesPerTask = 2048;
   FirstUses uses = findFirstUses(
       triangles.size(), vertexCount, [&](std::size_t t) { return triangles[t].corners; }, poll);
   forRanges(triangles.size(), kTrianglesPerTask, [&](std::size_t first, std::size_t last) {

@@ -14,7 +14,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr Index kEdgesPerTask = 8192;
+constexpr Index kEdgesPerTask = 2048;
 
 }  // namespace
 

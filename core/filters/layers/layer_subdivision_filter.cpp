@@ -29,7 +29,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr Index kTrianglesPerTask = 8192;
+constexpr Index kTrianglesPerTask = 2048;
 
 using Pair = std::array<Index, 2>;
 

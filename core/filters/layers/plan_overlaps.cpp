@@ -371,8 +371,8 @@ class OverlapFinder {
     return across_[3 * s] == t || across_[3 * s + 1] == t || across_[3 * s + 2] == t;
   }
 
-  static constexpr std::size_t kPerTask = 256, kFirstBatch = 256;
-  static constexpr Index kEdgesPerTask = 8192;
+  static constexpr std::size_t kPerTask = 32, kFirstBatch = 256;
+  static constexpr Index kEdgesPerTask = 2048;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kNever = std::numeric_limits<Index>::max();

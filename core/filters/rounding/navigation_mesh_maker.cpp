@@ -27,7 +27,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kPerTask = 8192;
+constexpr std::size_t kPerTask = 2048;
 
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }

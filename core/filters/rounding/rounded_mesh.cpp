@@ -26,7 +26,7 @@ constexpr double kFoldedShare = 0x1p-44;
 constexpr double kMostDrift = 0x1p-42;
 constexpr double kLeastReach = 0x1p-50, kMostReach = 0x1p-44;
 
-constexpr Index kTrianglesPerTask = 4096;
+constexpr Index kTrianglesPerTask = 1024;
 
 class RoundingRepair {
  public:

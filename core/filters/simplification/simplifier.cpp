@@ -17,9 +17,9 @@
 namespace footfall::detail {
 namespace {
 
-constexpr Index kEdgesPerTask = 4096;
-constexpr Index kVerticesPerTask = 4096;
-constexpr std::size_t kTrianglesPerBlock = 8192;
+constexpr Index kEdgesPerTask = 1024;
+constexpr Index kVerticesPerTask = 1024;
+constexpr std::size_t kTrianglesPerBlock = 2048;
 constexpr Index kTrianglesPerTask = 1024;
 constexpr Index kPolled = 1 << 16;
 
