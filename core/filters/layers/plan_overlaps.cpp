@@ -54,6 +54,7 @@ class OverlapFinder {
     std::vector<Index> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Index{0});
     round_.assign(all.size(), kNever);
+    isSpread_.assign(all.size(), 0);
     findAmong(all);
     return !tooMany();
   }
@@ -67,6 +68,7 @@ class OverlapFinder {
     std::vector<std::vector<Index>> members(regionCount);
     for (Index t = 0; t < count; ++t) members[region[t]].push_back(t);
     round_.assign(count, kNever);
+    isSpread_.assign(count, 0);
     for (const std::vector<Index>& triangles : members) {
       context_.checkCancelled();
       if (triangles.size() > 1) findAmong(triangles);
@@ -142,6 +144,7 @@ class OverlapFinder {
       for (; known < pairs_.size(); ++known) {
         if (known % 4096 == 0) context_.checkCancelled();
         for (const Index t : pairs_[known]) {
+          if (std::exchange(isSpread_[t], 1) != 0) continue;
           addQuery(t, round, queries);
           for (int k = 0; k < 3; ++k)
             if (across_[3 * t + k] >= 0) addQuery(across_[3 * t + k], round, queries);
@@ -205,15 +208,18 @@ class OverlapFinder {
   // Runs look(local, i) for all i below count on all threads, and takes what the threads found.
   template <class Look>
   void forEach(std::size_t count, Look look) {
-    tbb::parallel_for(std::size_t{0}, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+    // Some need much longer than others: tasks stay small.
+    const tbb::blocked_range<std::size_t> tasks(0, (count + kPerTask - 1) / kPerTask);
+    const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
       Local& local = locals_.local();
-      for (std::size_t i = task * kPerTask; i < std::min((task + 1) * kPerTask, count) && !tooMany(); ++i) {
+      for (std::size_t i = range.begin() * kPerTask; i < std::min(range.end() * kPerTask, count) && !tooMany(); ++i) {
         context_.checkCancelled();
         const std::size_t before = local.found.size();
         look(local, i);
         foundCount_.fetch_add(local.found.size() - before, std::memory_order_relaxed);
       }
-    });
+    };
+    tbb::parallel_for(tasks, run, tbb::simple_partitioner());
     for (Local& local : locals_) {
       pairs_.insert(pairs_.end(), local.found.begin(), local.found.end());
       local.found.clear();
@@ -389,8 +395,9 @@ class OverlapFinder {
 
   Tree others_;  ///< those that are not looked up at first
   Tree partTree_;
-  std::vector<Part> parts_;   ///< empty: triangles are not cut
-  std::vector<Index> round_;  ///< in which each triangle was looked up
+  std::vector<Part> parts_;     ///< empty: triangles are not cut
+  std::vector<Index> round_;    ///< in which each triangle was looked up
+  std::vector<char> isSpread_;  ///< whether spread() met it
   std::vector<Pair> pairs_;
   std::size_t most_ = std::numeric_limits<std::size_t>::max();
   std::atomic<std::size_t> foundCount_{0};
