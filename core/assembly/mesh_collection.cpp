@@ -264,7 +264,7 @@ void MeshJoiner::forUses(const Additions& additions, std::size_t first, std::siz
 
 // In space, a point on a source edge lies on that edge itself: all faces that know one by this name mean the same
 // vertex.
-void MeshJoiner::findFirstUses(Additions& additions, RunContext& context) {
+void MeshJoiner::findUsesOfShared(Additions& additions, RunContext& context) {
   auto& firstUse = additions.firstUse;
   forRanges(SharedUses::kLists, 1, [&](std::size_t list, std::size_t) {
     NumberedTable<SharedPoint> points;
@@ -285,7 +285,7 @@ void MeshJoiner::findFirstUses(Additions& additions, RunContext& context) {
 }
 
 void MeshJoiner::numberUses(Additions& additions, RunContext& context) {
-  findFirstUses(additions, context);
+  findUsesOfShared(additions, context);
   auto& firstUse = additions.firstUse;
   std::vector<Index> newBefore((additions.pointCount + kPointsPerBlock - 1) / kPointsPerBlock + 1, 0);
   forBlocks(additions.pointCount, kPointsPerBlock, context,

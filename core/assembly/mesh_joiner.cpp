@@ -3,6 +3,7 @@
 
 #include <oneapi/tbb/combinable.h>
 #include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/parallel_invoke.h>
 #include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
@@ -176,8 +177,10 @@ WalkableMesh MeshJoiner::assemble(std::span<const Split> splits, RunContext& con
   WalkableMesh mesh;
   mesh.triangles = splitTriangles(splits, context);
   triangles_ = {};
-  const FirstUses uses = renumberByFirstUse(mesh.triangles, vertices_.size(), context);
-  mesh.vertices.resize(uses.order.size());
+  const FirstUses uses = findFirstUses(
+      mesh.triangles.size(), vertices_.size(), [&](std::size_t t) { return mesh.triangles[t].corners; }, context);
+  tbb::parallel_invoke([&] { renumber(mesh.triangles, uses, context); },
+                       [&] { mesh.vertices.resize(uses.order.size()); });
   forRanges(uses.order.size(), kVerticesPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     for (std::size_t v = first; v < last; ++v) mesh.vertices[v] = vertices_[uses.order[v]];

@@ -89,7 +89,7 @@ class MeshJoiner {
   /// Calls work(entry, place) for each of these places that has a point.
   template <class Work>
   void forUses(const Additions& additions, std::size_t first, std::size_t last, Work work) const;
-  void findFirstUses(Additions& additions, RunContext& context);
+  void findUsesOfShared(Additions& additions, RunContext& context);
   void numberUses(Additions& additions, RunContext& context);
   void fillVertices(const Additions& additions, RunContext& context);
   void fillTriangles(const Additions& additions, RunContext& context);

@@ -5,16 +5,13 @@
 
 namespace footfall::detail {
 
-FirstUses renumberByFirstUse(std::vector<MeshTriangle>& triangles, std::size_t vertexCount, Poll poll) {
+void renumber(std::vector<MeshTriangle>& triangles, const FirstUses& uses, Poll poll) {
   constexpr std::size_t kTrianglesPerTask = 2048;
-  FirstUses uses = findFirstUses(
-      triangles.size(), vertexCount, [&](std::size_t t) { return triangles[t].corners; }, poll);
   forRanges(triangles.size(), kTrianglesPerTask, [&](std::size_t first, std::size_t last) {
     poll();
     for (std::size_t t = first; t < last; ++t)
       for (Index& v : triangles[t].corners) v = uses.numbers[v];
   });
-  return uses;
 }
 
 }  // namespace footfall::detail

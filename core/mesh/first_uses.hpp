@@ -16,8 +16,9 @@ struct FirstUses {
   std::vector<Index> order;    ///< the vertices, by number
 };
 
-/// `cornersOf(i)` has the vertices of the i-th of `count` triangles, numbered below `vertexCount`. It is as short as a
-/// loop can be that no two threads can share; whatever else there is to do with the vertices comes behind it.
+/// `cornersOf(i)` has the vertices of the i-th of `count` triangles, numbered below `vertexCount`; it may be empty. It
+/// is as short as a loop can be that no two threads can share; whatever else there is to do with the vertices comes
+/// behind it.
 template <class CornersOf>
 FirstUses findFirstUses(std::size_t count, std::size_t vertexCount, CornersOf cornersOf, Poll poll) {
   constexpr std::size_t kPolled = 1 << 16;
@@ -38,6 +39,6 @@ FirstUses findFirstUses(std::size_t count, std::size_t vertexCount, CornersOf co
 }
 
 /// Gives the corners of all triangles those numbers.
-FirstUses renumberByFirstUse(std::vector<MeshTriangle>& triangles, std::size_t vertexCount, Poll poll);
+void renumber(std::vector<MeshTriangle>& triangles, const FirstUses& uses, Poll poll);
 
 }  // namespace footfall::detail

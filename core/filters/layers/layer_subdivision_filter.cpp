@@ -123,7 +123,7 @@ class LayerSubdivision {
   void findNeighbors(const std::vector<char>& divided) {
     std::vector<MeshTriangle> renumbered;
     Adjacency own;
-    if (renumber(renumbered)) own = findEdges(renumbered, mesh_.vertices.size(), context_);
+    if (putInOrder(renumbered)) own = findEdges(renumbered, mesh_.vertices.size(), context_);
     const Adjacency& edges = renumbered.empty() ? topology_ : own;
     std::vector<Pair> pairs;
     for (Index e = 0; e < edges.edgeCount(); ++e) {
@@ -136,14 +136,13 @@ class LayerSubdivision {
   }
 
   // False where vertices are in that order already.
-  bool renumber(std::vector<MeshTriangle>& triangles) const {
+  bool putInOrder(std::vector<MeshTriangle>& triangles) const {
     const FirstUses uses = findFirstUses(
         mesh_.triangles.size(), mesh_.vertices.size(), [&](std::size_t t) { return mesh_.triangles[t].corners; },
         context_);
     if (std::is_sorted(uses.order.begin(), uses.order.end())) return false;
     triangles = mesh_.triangles;
-    for (MeshTriangle& triangle : triangles)
-      for (Index& v : triangle.corners) v = uses.numbers[v];
+    renumber(triangles, uses, context_);
     return true;
   }
 

@@ -190,14 +190,19 @@ void addLayers(SettledMesh& settled, const std::vector<std::uint32_t>& layers) {
 std::shared_ptr<NavigationMesh> numbered(const SettledMesh& settled, const std::vector<Index>& order,
                                          std::span<const std::uint32_t> sources, const RunContext& context) {
   const RoundedMesh& rounded = settled.mesh;
-  const FirstUses uses = findFirstUses(
-      order.size(), rounded.vertices.size(), [&](std::size_t i) { return rounded.triangles[order[i]].corners; },
-      Poll(context));
+  const auto cornersOf = [&](std::size_t i) { return rounded.triangles[order[i]].corners; };
   auto result = std::make_shared<NavigationMesh>();
-  result->vertices.resize(uses.order.size());
-  result->triangles.resize(order.size());
-  result->sourceTriangles.resize(order.size());
-  result->layers.resize(rounded.layers.size());
+  FirstUses uses;
+  tbb::parallel_invoke(
+      [&] {
+        uses = findFirstUses(order.size(), rounded.vertices.size(), cornersOf, Poll(context));
+        result->vertices.resize(uses.order.size());
+      },
+      [&] {
+        result->triangles.resize(order.size());
+        result->sourceTriangles.resize(order.size());
+        result->layers.resize(rounded.layers.size());
+      });
   forRanges(uses.order.size(), kPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     for (std::size_t v = first; v < last; ++v) result->vertices[v] = rounded.vertices[uses.order[v]];

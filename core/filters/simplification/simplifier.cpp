@@ -309,9 +309,17 @@ void Simplifier::copyAlive(WalkableMesh& result) const {
 
 WalkableMesh Simplifier::compact() const {
   WalkableMesh result;
-  copyAlive(result);
-  const FirstUses uses = renumberByFirstUse(result.triangles, mesh_.vertices.size(), context_);
-  result.vertices.resize(uses.order.size());
+  FirstUses uses;
+  tbb::parallel_invoke([&] { copyAlive(result); },
+                       [&] {
+                         const auto cornersOf = [&](std::size_t t) {
+                           const auto& corners = mesh_.triangles[t].corners;
+                           return mesh_.alive[t] != 0 ? std::span(corners) : std::span(corners).first(0);
+                         };
+                         uses = findFirstUses(mesh_.triangles.size(), mesh_.vertices.size(), cornersOf, context_);
+                       });
+  tbb::parallel_invoke([&] { renumber(result.triangles, uses, context_); },
+                       [&] { result.vertices.resize(uses.order.size()); });
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, uses.order.size(), kVerticesPerTask), [&](const auto& range) {
     context_.checkCancelled();
     for (std::size_t v = range.begin(); v != range.end(); ++v) result.vertices[v] = mesh_.vertices[uses.order[v]];
