@@ -17,6 +17,7 @@
 #include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/unfilled_array.hpp"
 
 namespace footfall::detail {
 
@@ -41,7 +42,21 @@ class BoxTree {
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    Bounds all = wholeOf(ids, boundsOf, poll);
+    UnfilledArray<Bounds> bounds(ids.size());  // asked for once, in the order of the ids
+    Bounds all = tbb::parallel_reduce(
+        tbb::blocked_range<Index>(0, count, kPerTask), nothing(),
+        [&](const auto& range, Bounds sum) {
+          poll();
+          for (Index i = range.begin(); i != range.end(); ++i) {
+            bounds.fill(i, boundsOf(ids[i]));
+            add(sum, bounds[i]);
+          }
+          return sum;
+        },
+        [](Bounds sum, const Bounds& other) {
+          add(sum, other);
+          return sum;
+        });
     double extent = 0;  // halves, as the whole may overflow
     for (int k = 0; k < D; ++k) {
       if (all.lower[k] > all.upper[k]) all.lower[k] = all.upper[k] = 0;
@@ -51,7 +66,7 @@ class BoxTree {
     std::vector<std::pair<std::uint32_t, Index>> order(count);
     const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
     forBlocks(count, poll, [&](Index i) {
-      const Bounds b = boundsOf(ids[i]);
+      const Bounds& b = bounds[i];
       std::uint32_t key = 0;
       for (int k = 0; k < D; ++k) {
         const double low = std::clamp(b.lower[k], all.lower[k], all.upper[k]);
@@ -59,7 +74,7 @@ class BoxTree {
         const double place = ((low / 2 + high / 2) / 2 - all.lower[k] / 2) * scale;
         key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
       }
-      order[i] = {key, ids[i]};
+      order[i] = {key, i};
     });
     sortByKey(order, poll);
 
@@ -67,8 +82,8 @@ class BoxTree {
     forBlocks(static_cast<Index>(levels_[0].size()), poll, [&](Index g) {
       const Index first = g * kFan, last = std::min(first + kFan, count);
       for (Index i = first; i < last; ++i) {
-        ids_[i] = order[i].second;
-        levels_[0][g].set(i - first, rounded(boundsOf(ids_[i])));
+        ids_[i] = ids[order[i].second];
+        levels_[0][g].set(i - first, rounded(bounds[order[i].second]));
       }
     });
     while (levels_.back().size() > 1) {
@@ -159,30 +174,19 @@ class BoxTree {
     });
   }
 
-  /// Around all finite places.
-  template <class BoundsOf>
-  static Bounds wholeOf(const std::vector<Index>& ids, BoundsOf boundsOf, Poll poll) {
+  static Bounds nothing() {
     constexpr double kLargest = std::numeric_limits<double>::max();
     Bounds none;
     none.lower.fill(kLargest);
     none.upper.fill(-kLargest);
-    const auto add = [](Bounds& all, const Bounds& b) {
-      for (int k = 0; k < D; ++k) {
-        if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
-        if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
-      }
-    };
-    return tbb::parallel_reduce(
-        tbb::blocked_range<std::size_t>(0, ids.size(), kPerTask), none,
-        [&](const auto& range, Bounds all) {
-          poll();
-          for (std::size_t i = range.begin(); i != range.end(); ++i) add(all, boundsOf(ids[i]));
-          return all;
-        },
-        [&](Bounds all, const Bounds& other) {
-          add(all, other);
-          return all;
-        });
+    return none;
+  }
+  /// Makes the bounds hold the finite places of others, too.
+  static void add(Bounds& all, const Bounds& b) {
+    for (int k = 0; k < D; ++k) {
+      if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
+      if (std::isfinite(b.upper[k])) all.upper[k] = std::max(all.upper[k], b.upper[k]);
+    }
   }
 
   /// Puts D - 1 zeros between the bits.

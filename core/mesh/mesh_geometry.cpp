@@ -11,15 +11,7 @@
 namespace footfall::detail {
 
 PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle) {
-  PlanTriangle result{triangle.corners, {}, {}, 0, true};
-  for (int k = 0; k < 3; ++k) {
-    const MeshVertex& v = vertices[triangle.corners[k]];
-    result.x[k] = v.x;
-    result.y[k] = v.y;
-    result.error = std::max(result.error, v.error);
-    result.isSource = result.isSource && v.source >= 0;
-  }
-  return result;
+  return planTriangleOf(triangle, [&](Index v) { return planPlaceOf(vertices[v]); });
 }
 
 Index MeshGeometry::origin(Index vertex) const { return kernel_.mesh().triangles[vertices_[vertex].face][0]; }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -17,6 +18,26 @@ struct PlanTriangle {
   bool isSource = true;  ///< all corners are source vertices
 };
 
+/// What a PlanTriangle has of a vertex.
+struct PlanPlace {
+  double x = 0, y = 0, error = 0;
+  bool isSource = false;
+};
+inline PlanPlace planPlaceOf(const MeshVertex& v) { return {v.x, v.y, v.error, v.source >= 0}; }
+
+/// `placeOf(v)` gives those of the corners.
+template <class PlaceOf>
+PlanTriangle planTriangleOf(const MeshTriangle& triangle, PlaceOf placeOf) {
+  PlanTriangle result{triangle.corners, {}, {}, 0, true};
+  for (int k = 0; k < 3; ++k) {
+    const PlanPlace& place = placeOf(triangle.corners[k]);
+    result.x[k] = place.x;
+    result.y[k] = place.y;
+    result.error = std::max(result.error, place.error);
+    result.isSource = result.isSource && place.isSource;
+  }
+  return result;
+}
 PlanTriangle planTriangleOf(const std::vector<MeshVertex>& vertices, const MeshTriangle& triangle);
 
 /// Predicates on the vertices of a walkable mesh. Not for sharing between threads: it counts fall-backs.

@@ -33,6 +33,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/unfilled_array.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -43,9 +44,17 @@ using Pair = std::array<Index, 2>;
 class OverlapFinder {
  public:
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
-      : mesh_(mesh), context_(context), locals_([&kernel, &mesh] {
+      : mesh_(mesh),
+        context_(context),
+        locals_([&kernel, &mesh] {
           return Local{MeshGeometry(kernel, mesh.vertices), {}, {}, {}};
-        }) {}
+        }),
+        places_(mesh.vertices.size()) {
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places_.size(), kVerticesPerTask), [&](const auto& range) {
+      context_.checkCancelled();
+      for (std::size_t v = range.begin(); v != range.end(); ++v) places_.fill(v, planPlaceOf(mesh_.vertices[v]));
+    });
+  }
 
   /// False when there are more pairs than `most`.
   bool findAll(const Adjacency& topology, std::size_t most) {
@@ -183,7 +192,9 @@ class OverlapFinder {
     return across_[3 * t] < 0 || across_[3 * t + 1] < 0 || across_[3 * t + 2] < 0;
   }
 
-  [[nodiscard]] PlanTriangle planOf(Index t) const { return planTriangleOf(mesh_.vertices, mesh_.triangles[t]); }
+  [[nodiscard]] PlanTriangle planOf(Index t) const {
+    return planTriangleOf(mesh_.triangles[t], [this](Index v) -> const PlanPlace& { return places_[v]; });
+  }
 
   [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return boundsOf(planOf(t)); }
 
@@ -379,6 +390,7 @@ class OverlapFinder {
 
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256;
   static constexpr Index kEdgesPerTask = 2048;
+  static constexpr std::size_t kVerticesPerTask = 2048;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
@@ -386,7 +398,8 @@ class OverlapFinder {
   const WalkableMesh& mesh_;
   RunContext& context_;
   tbb::enumerable_thread_specific<Local> locals_;
-  std::vector<Index> across_;  ///< for each side the triangle beyond it when it is inner, else -1
+  UnfilledArray<PlanPlace> places_;  ///< of the vertices: a third of what they take, and looked up all the time
+  std::vector<Index> across_;        ///< for each side the triangle beyond it when it is inner, else -1
   /// A triangle, or what of it is between two places.
   struct Part {
     Index triangle = -1;
