@@ -42,15 +42,11 @@ class BoxTree {
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    UnfilledArray<Bounds> bounds(ids.size());  // asked for once, in the order of the ids
     Bounds all = tbb::parallel_reduce(
         tbb::blocked_range<Index>(0, count, kPerTask), nothing(),
         [&](const auto& range, Bounds sum) {
           poll();
-          for (Index i = range.begin(); i != range.end(); ++i) {
-            bounds.fill(i, boundsOf(ids[i]));
-            add(sum, bounds[i]);
-          }
+          for (Index i = range.begin(); i != range.end(); ++i) add(sum, boundsOf(ids[i]));
           return sum;
         },
         [](Bounds sum, const Bounds& other) {
@@ -64,9 +60,10 @@ class BoxTree {
       extent = std::max(extent, all.upper[k] / 2 - all.lower[k] / 2);
     }
     std::vector<std::pair<std::uint32_t, Index>> order(count);
+    UnfilledArray<Node> nodes(ids.size());  // found where ids are in their order, which is mostly that of memory
     const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
     forBlocks(count, poll, [&](Index i) {
-      const Bounds& b = bounds[i];
+      const Bounds b = boundsOf(ids[i]);
       std::uint32_t key = 0;
       for (int k = 0; k < D; ++k) {
         const double low = std::clamp(b.lower[k], all.lower[k], all.upper[k]);
@@ -75,6 +72,7 @@ class BoxTree {
         key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
       }
       order[i] = {key, i};
+      nodes.fill(i, rounded(b));
     });
     sortByKey(order, poll);
 
@@ -83,7 +81,7 @@ class BoxTree {
       const Index first = g * kFan, last = std::min(first + kFan, count);
       for (Index i = first; i < last; ++i) {
         ids_[i] = ids[order[i].second];
-        levels_[0][g].set(i - first, rounded(bounds[order[i].second]));
+        levels_[0][g].set(i - first, nodes[order[i].second]);
       }
     });
     while (levels_.back().size() > 1) {

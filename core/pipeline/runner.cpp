@@ -28,6 +28,8 @@ constexpr Pattern kAtPlace{"%1: %2"};
 constexpr std::size_t kReturnedSize = std::size_t{1} << 22;
 // Where results are kept for later runs, somebody looks at them first, and the rest goes back.
 constexpr std::size_t kReturnedAtEnd = std::size_t{1} << 19;
+// Of so many triangles the product is not settled while layers are found: both would be in memory at once.
+constexpr std::size_t kSettledAfter = std::size_t{1} << 19;
 
 // Everything that can be known to be wrong before the first step runs.
 void checkRunnable(const Pipeline& pipeline) {
@@ -249,7 +251,7 @@ class Run {
   FilterOutcome apply(const PipelineStep& step, std::size_t index) {
     try {
       Recall known = recall(index + 1);
-      if (makesProduct_ && index + 1 == steps_.size())
+      if (makesProduct_ && index + 1 == steps_.size() && environment_->triangles.size() < kSettledAfter)
         known.meanwhile = [this](const WalkableState& state, const Adjacency& topology) {
           settled_ = settleProduct(state, topology, knownPlaces(), context_);
         };
