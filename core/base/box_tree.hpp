@@ -17,7 +17,6 @@
 #include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/poll.hpp"
-#include "core/base/unfilled_array.hpp"
 
 namespace footfall::detail {
 
@@ -60,7 +59,6 @@ class BoxTree {
       extent = std::max(extent, all.upper[k] / 2 - all.lower[k] / 2);
     }
     std::vector<std::pair<std::uint32_t, Index>> order(count);
-    UnfilledArray<Node> nodes(ids.size());  // found where ids are in their order, which is mostly that of memory
     const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
     forBlocks(count, poll, [&](Index i) {
       const Bounds b = boundsOf(ids[i]);
@@ -71,8 +69,7 @@ class BoxTree {
         const double place = ((low / 2 + high / 2) / 2 - all.lower[k] / 2) * scale;
         key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
       }
-      order[i] = {key, i};
-      nodes.fill(i, rounded(b));
+      order[i] = {key, ids[i]};
     });
     sortByKey(order, poll);
 
@@ -80,8 +77,8 @@ class BoxTree {
     forBlocks(static_cast<Index>(levels_[0].size()), poll, [&](Index g) {
       const Index first = g * kFan, last = std::min(first + kFan, count);
       for (Index i = first; i < last; ++i) {
-        ids_[i] = ids[order[i].second];
-        levels_[0][g].set(i - first, nodes[order[i].second]);
+        ids_[i] = order[i].second;
+        levels_[0][g].set(i - first, rounded(boundsOf(ids_[i])));
       }
     });
     while (levels_.back().size() > 1) {

@@ -64,7 +64,7 @@ class OverlapFinder {
     std::iota(all.begin(), all.end(), Index{0});
     round_.assign(all.size(), kNever);
     isSpread_.assign(all.size(), 0);
-    findAmong(all);
+    findAmong(std::move(all));
     return !tooMany();
   }
 
@@ -78,9 +78,9 @@ class OverlapFinder {
     for (Index t = 0; t < count; ++t) members[region[t]].push_back(t);
     round_.assign(count, kNever);
     isSpread_.assign(count, 0);
-    for (const std::vector<Index>& triangles : members) {
+    for (std::vector<Index>& triangles : members) {
       context_.checkCancelled();
-      if (triangles.size() > 1) findAmong(triangles);
+      if (triangles.size() > 1) findAmong(std::move(triangles));
     }
   }
 
@@ -119,13 +119,15 @@ class OverlapFinder {
 
  private:
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
-  void findAmong(const std::vector<Index>& triangles) {
+  void findAmong(std::vector<Index> triangles) {
     findParts(triangles);
     std::vector<Index> border, other;
     for (const Index t : triangles) (isAtBorder(t) ? border : other).push_back(t);
     if (parts_.empty()) {
       for (const Index t : border) round_[t] = 0;
+      triangles = {};
       others_ = treeOf(other);
+      other = {};
       const std::size_t known = pairs_.size();
       lookUpBorders(treeOf(border));
       spread(known, 1);
