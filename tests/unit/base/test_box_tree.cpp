@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -104,6 +105,28 @@ class TestBoxTree : public QObject {
         for (const auto& pair : oneByOne) QVERIFY(std::ranges::binary_search(inRows, pair) || !isLater(pair));
       }
     }
+  }
+
+  // So many that all threads sort: along an axis, places are those of the coordinates; in one place, boxes keep their
+  // order.
+  void placesDoNotDependOnBlocks() {
+    constexpr Index kCount = 30000;
+    std::vector<Index> ids(kCount);
+    std::iota(ids.begin(), ids.end(), Index{0});
+    std::ranges::shuffle(ids, std::mt19937(3));
+    const auto build = [&](auto boundsOf) {
+      Tree tree;
+      tree.build(ids, boundsOf, [] {});
+      std::vector<Index> places(kCount);
+      for (Index place = 0; place < kCount; ++place) places[place] = tree.idAt(place);
+      return places;
+    };
+    const auto onAxis = build([](Index i) {
+      const auto x = static_cast<double>(i);
+      return Tree::Bounds{{x, 0}, {x, 0}};
+    });
+    QVERIFY(std::ranges::is_sorted(onAxis));
+    QVERIFY(build([](Index) { return Tree::Bounds{{1, 2}, {3, 4}}; }) == ids);
   }
 
   // Doubles cannot tell on which side of its long edge the sliver's third corner lies, so a cut on it has no place that

@@ -1,4 +1,4 @@
-// Edges and parts of triangle lists against maps and searches that are obviously right, and disjoint sets.
+// Edges, parts and first uses of triangle lists against maps and searches that are obviously right, and disjoint sets.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
@@ -11,6 +11,7 @@
 #undef emit  // Qt's word for nothing; the thread library has functions of this name
 #include "core/base/disjoint_sets.hpp"
 #include "core/mesh/adjacency.hpp"
+#include "core/mesh/first_uses.hpp"
 #include "core/mesh/surface_topology.hpp"
 
 using namespace footfall;
@@ -103,6 +104,37 @@ class TestAdjacency : public QObject {
     const std::vector<Index> parts = partsOf(list);
     QVERIFY(findParts(list, static_cast<std::size_t>(vertices), count) == parts);
     QCOMPARE(count, parts.empty() ? 0 : *std::max_element(parts.begin(), parts.end()) + 1);
+  }
+
+  // Vertices near each other in most blocks of triangles, so that threads leave out blocks, and far in some.
+  void edgesOfTrianglesInOrder() {
+    std::mt19937 random(11);
+    Triangles triangles(20000);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t)
+      triangles[t] = {t / 2, t / 2 + 1, t % 3000 == 7 ? static_cast<std::uint32_t>(random() % 10000) : t / 2 + 2};
+    QVERIFY(isRight(findEdges(triangles, 10002), triangles));
+    std::ranges::reverse(triangles);
+    QVERIFY(isRight(findEdges(triangles, 10002), triangles));
+  }
+
+  void verticesAreNumberedByFirstUse() {
+    for (const std::size_t count : {0, 1, 50, 9000}) {
+      std::vector<MeshTriangle> mesh = asMesh(randomTriangles(count, 700, 13));
+      const std::vector<MeshTriangle> given = mesh;
+      const FirstUses uses = findFirstUses(mesh.size(), 700, [&](std::size_t t) { return mesh[t].corners; }, {});
+      std::vector<Index> order;
+      for (const MeshTriangle& t : mesh)
+        for (const Index v : t.corners)
+          if (std::ranges::find(order, v) == order.end()) order.push_back(v);
+      QVERIFY(uses.order == order);
+      for (Index v = 0; v < 700; ++v) {
+        const auto at = std::ranges::find(order, v);
+        QCOMPARE(uses.numbers[v], at == order.end() ? -1 : static_cast<Index>(at - order.begin()));
+      }
+      renumber(mesh, uses, {});
+      for (std::size_t t = 0; t < mesh.size(); ++t)
+        for (int k = 0; k < 3; ++k) QCOMPARE(order[mesh[t].corners[k]], given[t].corners[k]);
+    }
   }
 
   void edgesOfSomeAreFoundAmongThoseOfAll_data() { edgesAndParts_data(); }
