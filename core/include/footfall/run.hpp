@@ -24,7 +24,7 @@ struct RunResult {
   std::shared_ptr<const NavigationMesh> mesh;  ///< never null
   StateSummary summary;                        ///< of the last state
   double startMs = 0;                          ///< making the first state from the environment; 0 when cached
-  double finishMs = 0;                         ///< making the navigation mesh; a layer filter that comes last does most of it
+  double finishMs = 0;                         ///< of the navigation mesh, what a last layer filter left
   double totalMs = 0;
   double cpuMs = 0;  ///< of the whole process during the run
   int threads = 1;
