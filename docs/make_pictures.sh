@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# make_pictures.sh [BUILD]: makes the pictures of docs/guide.md and README.md anew, from the real editor on a virtual
+# make_pictures.sh [BUILD]: makes the pictures of docs/tutorials/guide.md and README.md anew, from the real editor on a virtual
 # display. That of steelribs needs the environments from outside ($FOOTFALL_SHARED, ../shared unless set).
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # check_includes.sh [--counts]: fails, naming the lines, when a file of core/, ui/ or app/ includes one of a folder that
-# comes after its own in the order of docs/architecture.md, or when bindings include what is not public. With --counts:
+# comes after its own in the order of docs/explanation/architecture.md, or when bindings include what is not public. With --counts:
 # how often each folder includes which others, and the order, for docs/make_architecture.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail

@@ -1328,16 +1328,16 @@
         <translation>ihr Umwandler %1 gehört zu einer anderen Version</translation>
     </message>
     <message>
-        <source>run ifc.sh again (docs/buildings.md)</source>
-        <translation>ifc.sh noch einmal ausführen (docs/buildings.md)</translation>
+        <source>run ifc.sh again (docs/how-to/buildings.md)</source>
+        <translation>ifc.sh noch einmal ausführen (docs/how-to/buildings.md)</translation>
     </message>
     <message>
-        <source>IFC is read without its converter: openings may be closed, doors are in the way, and elements have no classes or storeys; ifc.sh installs it (docs/buildings.md)</source>
-        <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; ifc.sh installiert ihn (docs/buildings.md)</translation>
+        <source>IFC is read without its converter: openings may be closed, doors are in the way, and elements have no classes or storeys; ifc.sh installs it (docs/how-to/buildings.md)</source>
+        <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; ifc.sh installiert ihn (docs/how-to/buildings.md)</translation>
     </message>
     <message>
-        <source>%1; IFC files that are in order may need the converter that ifc.sh installs (docs/buildings.md)</source>
-        <translation>%1; IFC-Dateien, die in Ordnung sind, brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/buildings.md)</translation>
+        <source>%1; IFC files that are in order may need the converter that ifc.sh installs (docs/how-to/buildings.md)</source>
+        <translation>%1; IFC-Dateien, die in Ordnung sind, brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/how-to/buildings.md)</translation>
     </message>
     <message>
         <source>nothing of it is a floor or an obstacle</source>

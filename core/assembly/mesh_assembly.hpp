@@ -1,5 +1,5 @@
-// From faces and their cuts to one conforming mesh: triangulate, weld, close T-joints, join contacts (design section
-// 3).
+// From faces and their cuts to one conforming mesh: triangulate, weld, close T-joints, join contacts (model,
+// Conforming results).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

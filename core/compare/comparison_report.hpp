@@ -1,4 +1,4 @@
-// A comparison as a table and as JSON (docs/compare.md explains both).
+// A comparison as a table and as JSON (docs/how-to/compare.md explains both).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// How a run that several processes share divides the cells of its parallel blocks (design section 8).
+// How a run that several processes share divides the cells of its parallel blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// AreaFilter: removes regions whose surface area is at most a minimum (design section 2, thesis 3.2).
+// AreaFilter: removes regions whose surface area is at most a minimum (model, Area, thesis 3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The area of a region is a sum of (area in the plan) * |normal| / normal_z over its faces: rational numbers and square

@@ -1,4 +1,4 @@
-// DegeneracyFilter: takes triangles of zero area out of the environment (design section 2, thesis 3.2 and 4.4.2).
+// DegeneracyFilter: takes triangles of zero area out of the environment (model, Degeneracy, thesis 3.2 and 4.4.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <utility>
 

@@ -1,4 +1,4 @@
-// The descriptors in words: for messages, `footfall filters` and docs/filters.md.
+// The descriptors in words: for messages, `footfall filters` and docs/reference/filters.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,7 +25,7 @@ std::string describeFilter(const FilterDescriptor& filter);
 /// All filters in one line each, ending in a line break.
 std::string listFilters();
 
-/// All filters as a Markdown document: docs/filters.md.
+/// All filters as a Markdown document: docs/reference/filters.md.
 std::string filtersMarkdown();
 
 /// The known filter name or alias that `name` most likely stands for (fewest edits, letter case ignored).

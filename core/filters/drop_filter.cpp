@@ -1,4 +1,4 @@
-// DropFilter: where an agent drops from a ledge (design section 7).
+// DropFilter: where an agent drops from a ledge (model, Drops).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <iterator>

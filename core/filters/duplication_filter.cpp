@@ -1,4 +1,4 @@
-// DuplicationFilter: vertices closer than a distance become one (design section 2, thesis 3.2).
+// DuplicationFilter: vertices closer than a distance become one (model, Duplication, thesis 3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Clusters are the classes of the relation "joined by a chain of vertices, each closer than the distance to the next",

@@ -47,7 +47,7 @@ FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<doub
 StateSummary summarize(const WalkableState& state);
 
 /// The product: conforming, joined at contacts, rounded and repaired, vertices split along obstacle edges
-/// (design sections 3 and 6).
+/// (docs/explanation/model.md, Exact decisions).
 std::shared_ptr<const NavigationMesh> makeNavigationMesh(const StatePtr& state, RunContext& context);
 
 /// A quick picture of a state for display while a run goes on: rounded, not repaired.

@@ -1,4 +1,4 @@
-// RadiusFilter: removes what is nearer to the border of the walkable area than an agent's radius (design section 7).
+// RadiusFilter: removes what is nearer to the border of the walkable area than an agent's radius (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>

@@ -1,4 +1,5 @@
-// ReachableFilter: keeps the regions that hold a seed, and those that drops lead to from there (design section 7).
+// ReachableFilter: keeps the regions that hold a seed, and those that drops lead to from there (model, Reachable
+// places).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A seed is a point of doubles and so exact. It means the highest walkable place at or under it; triangles are taken

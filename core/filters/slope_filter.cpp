@@ -1,4 +1,4 @@
-// SlopeFilter: rejects triangles that are steeper than the limit, exactly (design section 2).
+// SlopeFilter: rejects triangles that are steeper than the limit, exactly (model, Slope).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/parallel_for.h>
 

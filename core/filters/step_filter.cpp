@@ -1,4 +1,4 @@
-// StepFilter: links borders between which an agent can lift its feet (design section 7).
+// StepFilter: links borders between which an agent can lift its feet (model, Links).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <stdexcept>

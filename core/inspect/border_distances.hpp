@@ -1,4 +1,4 @@
-// How far a place of the walkable area is from walls and from ledges (design section 7, RadiusFilter).
+// How far a place of the walkable area is from walls and from ledges (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

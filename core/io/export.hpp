@@ -1,4 +1,4 @@
-// Writing the navigation mesh as OBJ (design section 6); other formats: gltf_export.hpp.
+// Writing the navigation mesh as OBJ (model, Exports); other formats: gltf_export.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

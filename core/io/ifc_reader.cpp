@@ -124,7 +124,7 @@ FileFrame readWithIfcConverter(const std::string& converter, const std::string& 
   std::string_view rest = result.output;
   if (takeLine(rest) != kFirstLine)
     failInput(path, 0, Text(FOOTFALL_TEXT("its converter %1 is of another version"), converter),
-              FOOTFALL_TEXT("run ifc.sh again (docs/buildings.md)"));
+              FOOTFALL_TEXT("run ifc.sh again (docs/how-to/buildings.md)"));
   while (rest.starts_with('#')) {
     const std::string_view line = takeLine(rest);
     if (auto value = after(line, "# metres per unit: ")) {

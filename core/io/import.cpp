@@ -25,12 +25,12 @@ FileFrame readIfc(const std::string& path, Environment& environment, RunContext*
     return readWithIfcConverter(*converter, path, environment, context);
   environment.notes.emplace_back(FOOTFALL_TEXT(
       "IFC is read without its converter: openings may be closed, doors are in the way, and elements have "
-      "no classes or storeys; ifc.sh installs it (docs/buildings.md)"));
+      "no classes or storeys; ifc.sh installs it (docs/how-to/buildings.md)"));
   try {
     return readWithAssimp(path, environment, context);
   } catch (const InputError& error) {
     throw InputError(FOOTFALL_TEXT("%1; IFC files that are in order may need the converter that ifc.sh installs "
-                                   "(docs/buildings.md)"),
+                                   "(docs/how-to/buildings.md)"),
                      error.text());
   }
 }

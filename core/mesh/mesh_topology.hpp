@@ -31,7 +31,7 @@ std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<M
                                    const std::vector<Index>& renumbered, const Adjacency& topology);
 
 /// For each triangle its region: triangles that share an edge which is not an obstacle edge, or are linked by a step,
-/// belong to one (design, AreaFilter and section 7). Regions are numbered from 0 in the order of their first triangles.
+/// belong to one (docs/explanation/model.md, Terms). Regions are numbered from 0 in the order of their first triangles.
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount);
 
 /// Edges on which two layers meet, without links; 0 when there are no layers.

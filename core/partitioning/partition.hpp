@@ -1,5 +1,5 @@
-// How an environment is divided into cells: a tree of cuts, in the plan and between heights (design section 2; thesis
-// 4.3).
+// How an environment is divided into cells: a tree of cuts, in the plan and between heights (docs/explanation/model.md;
+// thesis 4.3).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

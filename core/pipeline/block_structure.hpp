@@ -1,4 +1,5 @@
-// Which steps may follow each other: a parallel block runs from a strategy to Collapse (design section 2).
+// Which steps may follow each other: a parallel block runs from a strategy to Collapse (docs/explanation/model.md,
+// Parallel blocks).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# report.sh [BUILD_FOLDER [OPTION...]]: measures everything again and writes the tables of docs/performance.md between
-# their markers. Options go to footfall-bench (--runs 3 --seconds 2: quick and rough).
+# report.sh [BUILD_FOLDER [OPTION...]]: measures everything again and writes the tables of
+# docs/reference/measurements.md between their markers. Options go to footfall-bench (--runs 3 --seconds 2: quick and rough).
 # Environments from outside come from the folder $FOOTFALL_SHARED (../shared unless set); its prototype/ is built when it
 # is there. The editor is measured where it was built and a display is or xvfb-run can make one. Takes some minutes; a
 # machine that does something else meanwhile spoils the figures.
@@ -9,7 +9,7 @@ set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
 build="$(realpath -- "${1:-${repository}/build/release}")"
 if [ "$#" -gt 0 ]; then shift; fi
-document="${repository}/docs/performance.md"
+document="${repository}/docs/reference/measurements.md"
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 # shellcheck source=tests/bench/tables.sh

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# thesis.sh [BUILD_FOLDER [OPTION...]]: runs the thesis's experiments again and writes the tables of docs/parallel.md
-# between their markers. Options go to footfall-thesis-bench (--runs 3 --least-seconds 0 --seconds 5: quick and rough).
+# thesis.sh [BUILD_FOLDER [OPTION...]]: runs the thesis's experiments again and writes the tables of
+# docs/reference/thesis_measurements.md between their markers. Options go to footfall-thesis-bench (--runs 3 --least-seconds 0 --seconds 5: quick and rough).
 # Environments from outside come from the folder $FOOTFALL_SHARED (../shared unless set). Takes some minutes; a machine
 # that does something else meanwhile spoils the figures.
 # SPDX-License-Identifier: GPL-3.0-or-later
@@ -8,7 +8,7 @@ set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
 build="$(realpath -- "${1:-${repository}/build/release}")"
 if [ "$#" -gt 0 ]; then shift; fi
-document="${repository}/docs/parallel.md"
+document="${repository}/docs/reference/thesis_measurements.md"
 scratch="$(mktemp -d)"
 trap 'rm -rf -- "${scratch}"' EXIT
 # shellcheck source=tests/bench/tables.sh

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# scale.sh FILE.obj RANKS...: what the parts of docs/scaling.md's model are made of, a line for each number of ranks:
+# scale.sh FILE.obj RANKS...: the parts of the model in docs/explanation/scaling.md, a line for each number of ranks:
 # processor seconds and peak memory of rank 0 and of the others (mean), and megabytes sent. The least of ROUNDS (3)
 # runs by the processor time of all. With 0 ranks: reading, the filters before the block, and those behind it, by
 # `footfall`. Environment as check.sh.

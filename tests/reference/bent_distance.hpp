@@ -1,5 +1,5 @@
 // How far it is from a place of a navigation mesh to one kind of border by the shortest walk, which may bend round
-// corners (design section 7, RadiusFilter): all corners that see each other, slow, obvious, in doubles.
+// corners (docs/explanation/model.md, Margins): all corners that see each other, slow, obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// How far it is from a place of a navigation mesh to its border, by walking there (design section 7, RadiusFilter):
+// How far it is from a place of a navigation mesh to its border, by walking there (docs/explanation/model.md, Margins):
 // slow, obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once

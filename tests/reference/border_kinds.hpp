@@ -1,4 +1,5 @@
-// Which parts of a border are walls and which are ledges (design section 7, RadiusFilter): slow, obvious, in doubles.
+// Which parts of a border are walls and which are ledges (docs/explanation/model.md, Walls and ledges): slow, obvious,
+// in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

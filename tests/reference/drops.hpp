@@ -1,5 +1,5 @@
-// Where an agent drops from a border to a lower place, straight from the definition (design section 7): slow, obvious,
-// exact.
+// Where an agent drops from a border to a lower place, straight from the definition (docs/explanation/model.md, Drops):
+// slow, obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

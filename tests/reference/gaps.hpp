@@ -1,5 +1,5 @@
-// Where an agent steps over the gap between two borders, straight from the definition (design section 7): slow,
-// obvious, exact.
+// Where an agent steps over the gap between two borders, straight from the definition (docs/explanation/model.md,
+// Gaps): slow, obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

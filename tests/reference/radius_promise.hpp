@@ -1,5 +1,5 @@
 // RadiusFilter's promise at random places: nothing nearer than the radius is left, nothing farther than its tolerance
-// is lost (design section 7). Slow, obvious, in doubles.
+// is lost (docs/explanation/model.md, Margins). Slow, obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

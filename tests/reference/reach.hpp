@@ -1,4 +1,5 @@
-// What can be reached from a seed, straight from the definition (design section 7): slow, obvious, exact.
+// What can be reached from a seed, straight from the definition (docs/explanation/model.md, Reachable places): slow,
+// obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

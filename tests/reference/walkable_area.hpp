@@ -1,5 +1,5 @@
-// The walkable area straight from the definitions (design section 2): slow, obvious, exact. It shares nothing with the
-// core but the environment's data types.
+// The walkable area straight from the definitions (docs/explanation/model.md): slow, obvious, exact. It shares nothing
+// with the core but the environment's data types.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # out_of_core.sh TRIANGLES MEMORY FOLDER: a city of so many triangles through `footfall run --memory`: packed, run cell
 # by cell within so much memory (as for --memory, such as 4G), and its tiles joined. Prints a line of
-# docs/scaling.md's table for each step: wall and processor seconds, peak memory, bytes on disk. FOLDER must not exist
+# docs/explanation/scaling.md's table for each step: wall and processor seconds, peak memory, bytes on disk. FOLDER must not exist
 # and is removed at the end; it needs some 300 bytes for each triangle. JOIN=0 leaves out joining, which holds the whole
 # result. KEEP=1 leaves the folder. MORE="--filter SimplificationFilter --filter LayerSubdivisionFilter" are filters behind
 # slope and clearance. BUILD_DIR is the build's folder (build/release by default).

@@ -1,4 +1,4 @@
-// Clips everything that stands in the clearance above one floor triangle (design section 2).
+// Clips everything that stands in the clearance above one floor triangle (model, Vertical clearance).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,5 @@
-// VerticalClearanceFilter: removes what has an obstacle within the clearance above it (design section 2, thesis 3.2).
+// VerticalClearanceFilter: removes what has an obstacle within the clearance above it (model, Vertical clearance,
+// thesis 3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <oneapi/tbb/parallel_for.h>
 

@@ -1,4 +1,4 @@
-// Finding where an agent drops from a border of a walkable mesh to a lower place (design section 7, DropFilter).
+// Finding where an agent drops from a border of a walkable mesh to a lower place (model, Drops).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Two kinds of landings are looked for, in the plan straight outwards from a ledge: straight below it, and on borders

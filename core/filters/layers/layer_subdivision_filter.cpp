@@ -1,5 +1,5 @@
 // LayerSubdivisionFilter (the thesis's PEELFilter): splits the walkable triangles into layers that do not overlap in
-// the plan, with few connections (design section 2, thesis 3.2).
+// the plan, with few connections (model, Layers, thesis 3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put

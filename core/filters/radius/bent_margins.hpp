@@ -1,4 +1,4 @@
-// Margins of the larger of two distances, by shortest walks, which bend round corners (design section 7, RadiusFilter).
+// Margins of the larger of two distances, by shortest walks, which bend round corners (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Where walls and ledges keep different distances away, what hides a border may keep less away than that border does,

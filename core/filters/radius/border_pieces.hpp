@@ -1,4 +1,4 @@
-// The border of a surface, divided into walls and ledges (design section 7).
+// The border of a surface, divided into walls and ledges (model, Walls and ledges).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// What is too near the border of the walkable area (design section 7, RadiusFilter).
+// What is too near the border of the walkable area (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // D(p) is the least length, in the plan, of a walk from p to a border of one kind, a wall or a ledge, and r what is to
@@ -28,8 +28,8 @@
 // A gap that is stepped over is surface, too, as wide as it is: two triangles of no face between its edges
 // (core/mesh/gap_bridges.hpp). Where no other bridge joins their sides, those are borders, as long as the gap is wide:
 // a post in a slit may touch nothing else of the surface. So are edges of a gap that have no bridge, as another one
-// took its place. Beside the area's own border that is more than the design asks for, at corners of gaps
-// (docs/decisions.md).
+// took its place. Beside the area's own border that is more than the definition requires, at corners of gaps
+// (docs/explanation/model.md, Gaps).
 //
 // What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
 // nearer still: if not, the straight walk from there to the nearest place of the edge would get there. Which triangles

@@ -1,5 +1,5 @@
-// The one place where coordinates are rounded, and where what rounding can break is repaired (design section 3, thesis
-// 4.4.2).
+// The one place where coordinates are rounded, and where what rounding can break is repaired (model, Exact decisions,
+// thesis 4.4.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

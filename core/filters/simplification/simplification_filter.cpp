@@ -1,5 +1,5 @@
-// SimplificationFilter: each coplanar region with as few triangles as its outline needs (design section 2, thesis 3.2
-// and 5.1.2).
+// SimplificationFilter: each coplanar region with as few triangles as its outline needs (model, Simplification,
+// thesis 3.2 and 5.1.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>

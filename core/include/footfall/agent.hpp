@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-/// An agent as a point of a given height (design section 2).
+/// An agent as a point of a given height.
 struct Agent {
   double maxSlope = 45;  ///< degrees, above 0 and below 90: the steepest ground that it walks on
   double height = 2;     ///< metres, above 0: the free height that it needs

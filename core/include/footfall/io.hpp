@@ -16,11 +16,11 @@ namespace footfall {
 
 /// Reads OBJ at double precision, and everything else that Assimp reads through Assimp (floats), node transforms
 /// applied, polygons triangulated. The environment is turned to Z up and keeps the file's units. Buildings (IFC) come
-/// through a converter where it is installed (docs/buildings.md), with Environment::usualRoles applied. A folder is all
-/// meshes directly in it as one environment, each file a part. Throws
-/// InputError with one line that says file, place and what to do: missing, a directory, no permission, empty,
-/// truncated, not a mesh, no triangles, NaN or infinite coordinates, indices out of range. Throws Cancelled when
-/// `context` (may be null) was cancelled while reading. Any thread may call it.
+/// through a converter where it is installed (docs/how-to/buildings.md), with Environment::usualRoles applied. A folder
+/// is all meshes directly in it as one environment, each file a part. Throws InputError with one line that says file,
+/// place and what to do: missing, a directory, no permission, empty, truncated, not a mesh, no triangles, NaN or
+/// infinite coordinates, indices out of range. Throws Cancelled when `context` (may be null) was cancelled while
+/// reading. Any thread may call it.
 Environment load(const std::string& path, const ImportOptions& options = {}, RunContext* context = nullptr);
 
 /// File name extensions that load() reads, lower case, without the dot ("obj", "gltf", ...).
@@ -72,13 +72,13 @@ struct ExportExtra {
 /// Writes a mesh as OBJ (a name that ends in .obj, or has no ending), as glTF (.gltf: one JSON file) or binary (.glb),
 /// as a tile set of Detour (.bin), as a NavigationMesh of Godot (.tres), or as polygons with holes: well-known text
 /// (.wkt: "level-0.wkt", "level-1.wkt" and so on where there are several layers, and "level-links.wkt") or GeoJSON;
-/// docs/formats.md says what each of them keeps. OBJ is in the frame and units of the file that its environment came
-/// from, polygons in metres and Z up, all others in metres and Y up. Files are written beside their targets and renamed
-/// when all of them are whole, so that a failure or a kill leaves earlier files as they were; the same mesh gives the
-/// same bytes. Each layer is a group (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one "walkable";
-/// connections and obstacle edges are lines in "connections" and "obstacle_edges". Steps are faces in "steps", over the
-/// vertices of both borders: who reads them has the full connectivity; who does not has the surface alone. Drops are
-/// pairs of lines in "drops", from where an agent drops to where it lands, with vertices of their own.
+/// docs/reference/formats.md says what each of them keeps. OBJ is in the frame and units of the file that its
+/// environment came from, polygons in metres and Z up, all others in metres and Y up. Files are written beside their
+/// targets and renamed when all of them are whole, so that a failure or a kill leaves earlier files as they were; the
+/// same mesh gives the same bytes. Each layer is a group (OBJ) or mesh (glTF) "layer_0", "layer_1" and so on, or one
+/// "walkable"; connections and obstacle edges are lines in "connections" and "obstacle_edges". Steps are faces in
+/// "steps", over the vertices of both borders: who reads them has the full connectivity; who does not has the surface
+/// alone. Drops are pairs of lines in "drops", from where an agent drops to where it lands, with vertices of their own.
 ///
 /// Returns the largest distance, in metres, by which rounding moved a coordinate: 0 for OBJ and polygons; all others
 /// have floats. Throws InputError for another ending, a scale that is out of range or makes coordinates infinite,

@@ -141,7 +141,7 @@ void TestCommandLine::oneFilterIsExplained() {
 void TestCommandLine::referenceAsMarkdown() {
   const Outcome outcome = runProgram({"filters", "--markdown"});
   QCOMPARE(outcome.exitCode, 0);
-  QCOMPARE(outcome.out, contentOf(FOOTFALL_SOURCE_DIR "/docs/filters.md"));
+  QCOMPARE(outcome.out, contentOf(FOOTFALL_SOURCE_DIR "/docs/reference/filters.md"));
 }
 
 void TestCommandLine::info() {

@@ -1,4 +1,4 @@
-// The descriptors: complete, consistent, and the same in docs/filters.md.
+// The descriptors: complete, consistent, and the same in docs/reference/filters.md.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QTest>
@@ -188,10 +188,10 @@ void TestDescriptor::nearestName() {
 }
 
 void TestDescriptor::documentationIsUpToDate() {
-  QFile file(FOOTFALL_SOURCE_DIR "/docs/filters.md");
+  QFile file(FOOTFALL_SOURCE_DIR "/docs/reference/filters.md");
   QVERIFY(file.open(QIODevice::ReadOnly));
   QVERIFY2(file.readAll().toStdString() == filtersMarkdown(),
-           "docs/filters.md is out of date; run `footfall filters --markdown > docs/filters.md`");
+           "docs/reference/filters.md is out of date; run `footfall filters --markdown > docs/reference/filters.md`");
 }
 
 QTEST_APPLESS_MAIN(TestDescriptor)

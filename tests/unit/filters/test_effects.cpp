@@ -1,4 +1,4 @@
-// The effect line of each filter (thesis 3.2, design section 2), checked exactly on what comes out.
+// The effect line of each filter (thesis 3.2, docs/explanation/model.md), checked exactly on what comes out.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 

@@ -27,7 +27,7 @@ const std::string kBefore = minimalPipeline(2) + "\nStepFilter 0.4\n";
 
 }  // namespace
 
-// The smallest cases of docs/decisions.md ("Two distances").
+// The smallest cases of docs/explanation/model.md ("Margins").
 class TestRadiusShadows : public QObject {
   Q_OBJECT
 

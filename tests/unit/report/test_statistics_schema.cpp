@@ -1,4 +1,4 @@
-// What `--stats` writes is what docs/statistics.schema.json says, no more and no less.
+// What `--stats` writes is what docs/reference/statistics.schema.json says, no more and no less.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <fstream>
@@ -72,7 +72,7 @@ std::string complaint(const Json& value, const Json& schema, const std::string& 
 }
 
 Json schema() {
-  std::ifstream file(FOOTFALL_SOURCE_DIR "/docs/statistics.schema.json");
+  std::ifstream file(FOOTFALL_SOURCE_DIR "/docs/reference/statistics.schema.json");
   return Json::parse(file);
 }
 

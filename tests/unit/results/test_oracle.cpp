@@ -254,7 +254,8 @@ class TestOracle : public QObject {
       qInfo("none of these edges is unjoined with a finer tolerance");
     }
     // It takes every walk over an obstacle for a leak, even over one that is low enough to walk on and joined to the
-    // floor on both sides (design 3.3, contacts). Without the joins at contacts it must find none.
+    // floor on both sides (docs/explanation/model.md, Conforming results). Without the joins at contacts it must find
+    // none.
     if (verdict.count("leaks") > 0) {
       const QString apart = folder.filePath("without_contacts.obj");
       save(withoutContacts(*result.mesh, *original), apart.toStdString());
