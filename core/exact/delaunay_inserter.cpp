@@ -10,7 +10,7 @@ namespace footfall::detail {
 
 namespace {
 
-/// Of one point: bounds the time, FaceTriangulation::improve() does the rest.
+/// The limit for one point bounds the time; FaceTriangulation::improve() does the rest.
 constexpr int kMostFlips = 500;
 
 }  // namespace
@@ -54,8 +54,8 @@ Index DelaunayInserter::insert(Index point) {
   return point;
 }
 
-// Edges are tried in a random order, lest walks go round in circles. Each step knows two of the next cell's corners
-// already, and that the point lies on the inner side of the edge between them.
+// Edges are tried in a random order, lest walks go round in circles. Two of the next cell's corners are known from the
+// step before, and the point lies on the inner side of the edge between them.
 DelaunayInserter::Location DelaunayInserter::locate() {
   struct Offset {
     double x, y;
@@ -66,7 +66,8 @@ DelaunayInserter::Location DelaunayInserter::locate() {
   };
   const double certain = geometry_.certainTurn();
   Location at;
-  // Whether the point lies beyond an edge, from a to b; on two edges, it is at the corner where the second begins.
+  // True when the point lies beyond the edge from a to b. A point on two edges is at the corner where the second
+  // begins.
   const auto isBeyond = [&](const Offset& a, const Offset& b, int k) {
     const double turn = a.x * b.y - a.y * b.x;
     if (turn > certain) return false;
@@ -84,7 +85,7 @@ DelaunayInserter::Location DelaunayInserter::locate() {
   for (int i = 0, k = nextRandom(); i < 3 && left < 0; ++i, k = next(k))
     if (isBeyond(around[k], around[next(k)], k)) left = k;
   if (left < 0) return at;
-  Offset start = around[next(left)], end = around[left];  // of the edge over which the walk comes, in the next cell
+  Offset start = around[next(left)], end = around[left];  // the edge over which the walk enters the next cell
   for (;;) {
     poll();
     const Index from = at.cell;
@@ -105,7 +106,7 @@ DelaunayInserter::Location DelaunayInserter::locate() {
 }
 
 // An edge is flipped when the new point p seems to lie well inside the circle through a, d, b, and a, d, b, p are
-// strictly convex (exactly). isWellInsideCircle() is repeated here as its products, relative to p, tell both.
+// strictly convex (exactly). isWellInsideCircle() is repeated here because its products, relative to p, decide both.
 void DelaunayInserter::legalize() {
   const double certain = geometry_.certainTurn();
   int flips = 0;
@@ -118,7 +119,7 @@ void DelaunayInserter::legalize() {
       const double ad = a.x * d.y, da = a.y * d.x, db = d.x * b.y, bd = d.y * b.x, ab = a.x * b.y, ba = a.y * b.x;
       const double turnAtA = ad - da, turnAtB = db - bd;
       const double inside = a.squared * turnAtB + b.squared * turnAtA - d.squared * (ab - ba);
-      if (!(inside > 0)) return false;  // as most are
+      if (!(inside > 0)) return false;  // true of most
       const double size = a.squared * (std::fabs(db) + std::fabs(bd)) + b.squared * (std::fabs(ad) + std::fabs(da)) +
                           d.squared * (std::fabs(ab) + std::fabs(ba));
       return inside > size * kWellInside &&

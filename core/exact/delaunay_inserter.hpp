@@ -27,7 +27,7 @@ class DelaunayInserter {
   void start();
   /// Inserts a point that lies in the closed face; returns the vertex at its position (another one when there was one).
   Index insert(Index point);
-  /// Whether all edges of the cells are Delaunay as far as rounded coordinates tell.
+  /// True when all edges of the cells are Delaunay as far as rounded coordinates tell.
   [[nodiscard]] bool isDelaunay() const { return isDelaunay_; }
 
  private:
@@ -61,14 +61,14 @@ class DelaunayInserter {
   /// Flips what the new point makes worse.
   void legalize();
   void poll() {
-    if ((++polls_ & 127) == 0) poll_();  // on a wide grid a step can take a tenth of a millisecond
+    if ((++polls_ & 127) == 0) poll_();  // A step on a wide grid can take a tenth of a millisecond.
   }
 
   FaceGeometry& geometry_;
   TriangleCells& cells_;
   Poll poll_;
   Index point_ = -1;
-  ApproximatePoint place_;  ///< of the new point
+  ApproximatePoint place_;  ///< the new point
   std::vector<Suspect> suspects_;
   bool isDelaunay_ = true;
   Index hint_ = 0;

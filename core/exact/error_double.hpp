@@ -60,7 +60,7 @@ inline ErrorDouble operator/(ErrorDouble a, ErrorDouble b) {
 /// -1, 0 or 1; nothing where doubles could not decide.
 using MaybeSign = std::optional<int>;
 
-/// How far a computed sign may be trusted in one environment (SourceMesh chooses it, see there for the proof).
+/// The bound beyond which a computed sign is certain in one environment (chosen and proven in SourceMesh).
 struct SignRule {
   double slack = 0;       ///< absolute bound of everything that underflow can have done
   bool zeroValid = true;  ///< a value of 0 with error 0 is exactly 0

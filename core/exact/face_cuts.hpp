@@ -1,4 +1,4 @@
-// What obstacles leave on one floor triangle: segments with winding numbers, and walls.
+// The cuts that obstacles leave on one floor triangle: segments with winding numbers, and walls.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,9 +20,9 @@ struct CutSegment {
   bool wall = false;
 };
 
-/// Value type: everything that triangulating the face needs, in ids of one generation. Where outlines of regions run
-/// along the face's own edges they part nothing, and are left out: which regions lie over one place of the face, and
-/// what is crossed from there, tells which lie over all others.
+/// Value type: everything that triangulating the face needs, in ids of one generation. Outlines of regions along the
+/// face's own edges divide nothing and are left out: the regions over one place of the face, and what is crossed from
+/// there, determine the regions over all others.
 struct FaceCuts {
   FaceCuts() = default;
   /// A copy that lies in `memory`.
@@ -38,13 +38,13 @@ struct FaceCuts {
 
   bool removed = false;        ///< obstacles cover the whole face
   std::uint8_t edgeWalls = 0;  ///< bit k: a wall stands along the whole edge from corner k to k + 1
-  int startWinding = 0;        ///< how many regions lie beside the start of the face's edge from corner 0 to 1
+  int startWinding = 0;        ///< number of regions beside the start of the face's edge from corner 0 to 1
   std::pmr::vector<PlanPoint> points;
-  std::pmr::vector<std::uint8_t> borders;  ///< for each point, bit k: known to lie on the face's edge k
+  std::pmr::vector<std::uint8_t> borders;  ///< bit k of each point: it is known to lie on the face's edge k
   std::pmr::vector<PlanLine> lines;
   std::pmr::vector<CutSegment> segments;
 
-  /// Whether another face is a floor decided something here: coplanar floors overlap, and one of them stays.
+  /// True when it mattered that another face is a floor: coplanar floors overlap, and one of them stays.
   bool dependsOnFloors = false;
 
   /// Keeps its memory.
@@ -70,7 +70,7 @@ class CutTable {
     return cuts_[face] ? *cuts_[face] : kNone;
   }
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& shared(std::size_t face) const { return cuts_[face]; }
-  /// Whether obstacles cover the whole face.
+  /// True when obstacles cover the whole face.
   [[nodiscard]] bool isRemoved(std::size_t face) const { return removed_[face] != 0; }
   void set(std::size_t face, std::shared_ptr<const FaceCuts> cuts) {
     removed_[face] = static_cast<char>(cuts && cuts->removed);

@@ -130,7 +130,7 @@ Index FaceGeometry::crossing(Index line1, Index line2) {
   return point(PlanPoint::crossing(l, m, face_));
 }
 
-// Without a trace, the same on every face.
+// A crossing without a trace is the same on every face.
 Index FaceGeometry::borderCrossing(PlanLine l, PlanLine m) {
   if (m.kind != PlanLine::Border || (l.kind == PlanLine::Border && m.a < l.a)) std::swap(l, m);
   if (l.kind == PlanLine::Edge) {

@@ -32,7 +32,7 @@ class FaceGeometry {
   /// The point at a source vertex.
   Index sourcePoint(Index planId);
   Index line(const PlanLine& l);
-  /// The same of a line that was not asked for before, nor will be again, except that it may be the face's own edge.
+  /// The same for a line that is looked up once only, unless it is the face's own edge.
   Index newLine(const PlanLine& l);
   /// The line of a source edge, by the plan ids of its ends (different ones).
   Index edgeLine(Index planA, Index planB);
@@ -52,7 +52,7 @@ class FaceGeometry {
 
   /// Sign of the line at the point: +1 left of it.
   int side(Index line, Index point);
-  /// The same, sooner of a point that seems to lie on it: what it was made of is asked before doubles.
+  /// The same, faster for a point that seems to lie on the line: provenance is checked before doubles.
   int sideNearby(Index line, Index point);
   /// Side of the face's edge k: +1 inside, 0 on it.
   int sideOfEdge(int k, Index point);
@@ -66,16 +66,16 @@ class FaceGeometry {
   int compare(Index a, Index b, int axis);
 
   [[nodiscard]] const ApproximatePoint& approximate(Index point) const { return approximate_[point]; }
-  /// Beyond it, an orientation from approximate coordinates relative to one of its three points is certain.
+  /// The bound beyond which an orientation from approximate coordinates relative to one of its three points is certain.
   [[nodiscard]] double certainTurn() const { return surely_; }
 
   ExactFallbacks fallbacks;
 
  private:
-  /// What else is known of a point. Values that only some decisions need are computed when one does.
+  /// Further values of a point. Values that only some decisions need are computed when one does.
   struct Place {
     Homogeneous<ErrorDouble> homogeneous;  ///< once hasHomogeneous
-    Index exact = -1;                      ///< in exact_
+    Index exact = -1;                      ///< index in exact_
     std::uint8_t border = 0;
     bool hasHomogeneous = false;
   };
@@ -90,7 +90,7 @@ class FaceGeometry {
   void forgetSources();
   struct Line {
     std::array<ErrorDouble, 3> coefficients;  ///< once hasCoefficients
-    Index exact = -1;                         ///< in exact_
+    Index exact = -1;                         ///< index in exact_
     bool hasCoefficients = false;
   };
   [[nodiscard]] bool isSource(Index point) const { return points_[point].kind() == PlanPoint::Source; }
@@ -109,7 +109,7 @@ class FaceGeometry {
   Index origin_ = -1;
   std::array<int, 3> edgeDirection_{};
   NumberedTable<PlanPoint> points_;              ///< only those that are no source vertices are found by their key
-  std::unique_ptr<SourceSlot[], Free> sources_;  ///< for each plan id; zeros, of which pages come as they are used
+  std::unique_ptr<SourceSlot[], Free> sources_;  ///< one per plan id; zeros, whose pages are allocated as they are used
   std::size_t sourceCount_ = 0;
   std::uint32_t filling_ = 0;
   NumberedTable<PlanLine> lines_;

@@ -28,7 +28,7 @@ void copyEdge(FaceTriangulation::Edges& to, int i, const FaceTriangulation::Edge
 }  // namespace
 
 void FaceTriangulation::poll() {
-  if ((++polls_ & 127) == 0) poll_();  // on a wide grid a step can take a tenth of a millisecond
+  if ((++polls_ & 127) == 0) poll_();  // A step on a wide grid can take a tenth of a millisecond.
 }
 
 void FaceTriangulation::growTables() {
@@ -178,7 +178,7 @@ bool FaceTriangulation::markEdge(const Segment& segment, Index a, Index b) {
   return true;
 }
 
-// Mostly the rounded places of its ends tell.
+// The rounded places of its ends usually decide.
 int FaceTriangulation::sideOfSegment(const Segment& segment, Index vertex) {
   const ApproximatePoint &p = geometry_.approximate(segment.from), &q = geometry_.approximate(segment.to),
                          &r = geometry_.approximate(vertex);
@@ -200,7 +200,7 @@ void FaceTriangulation::insertSegment(Index u, Index v, Index line, int directio
   sideValue_[u] = sideValue_[v] = 0;
   while (u != v) {
     poll();
-    if (markEdge(segment, u, v)) return;  // as most are, no side needs to be asked
+    if (markEdge(segment, u, v)) return;  // True of most; no side needs to be computed.
     u = advance(segment, u);
   }
 }
@@ -334,7 +334,7 @@ void FaceTriangulation::improve(const std::vector<char>& isWanted) {
 }
 
 Index FaceTriangulation::startCell() const {
-  // Round corner 0, away from the face's last edge.
+  // Walk round corner 0, away from the face's last edge.
   Index cell = cells_.cellOf(0);
   for (;;) {
     const int k = cornerOf(cells_[cell], 0);

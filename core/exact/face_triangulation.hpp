@@ -21,7 +21,7 @@ namespace footfall::detail {
 class FaceTriangulation {
  public:
   using Cell = TriangleCell;
-  /// What is known of a cell's edges. Corners and neighbors lie apart: inserting points needs nothing else.
+  /// Facts about a cell's edges. Corners and neighbors lie apart: inserting points needs nothing else.
   struct Edges {
     std::array<Index, 3> lines{-1, -1, -1};  ///< supporting line of a constrained edge, else -1
     std::array<int, 3> windings{};           ///< change of the winding number when the edge is entered from outside
@@ -44,11 +44,11 @@ class FaceTriangulation {
   void insertSegment(Index u, Index v, Index line, int direction, int winding, bool wall);
   /// Drops constraints without effect.
   void dropConstraints();
-  /// Flips edges towards Delaunay between cells that are wanted (for each cell); a flip keeps both winding numbers.
+  /// Flips edges towards Delaunay between the cells marked in `isWanted`; a flip keeps both winding numbers.
   void improve(const std::vector<char>& isWanted);
 
   [[nodiscard]] const std::vector<Cell>& cells() const { return cells_.all(); }
-  /// For each cell.
+  /// One entry per cell.
   [[nodiscard]] const std::vector<Edges>& edges() const { return edges_; }
   /// The cell beside the start of the face's edge from corner 0 to 1.
   [[nodiscard]] Index startCell() const;
@@ -97,8 +97,8 @@ class FaceTriangulation {
   TriangleCells cells_;
   DelaunayInserter inserter_;
   Poll poll_;
-  std::vector<Edges> edges_;           ///< for each cell
-  std::vector<char> isTouched_;        ///< for each cell; between others all edges are Delaunay
+  std::vector<Edges> edges_;           ///< one per cell
+  std::vector<char> isTouched_;        ///< one per cell; all edges between other cells are Delaunay
   std::vector<Index> representative_;  ///< -1: not inserted
   std::vector<Index> sideStamp_;
   std::vector<std::int8_t> sideValue_;

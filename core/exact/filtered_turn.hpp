@@ -1,4 +1,4 @@
-// On which side of a line a point lies, from rounded coordinates with a bound of their error.
+// The side of a line on which a point lies, from rounded coordinates with a bound of their error.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

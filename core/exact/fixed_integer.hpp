@@ -20,7 +20,7 @@
 //   orientation of three points        X (Y' w'' - Y'' w'): 26D + 26, three of them: 26D + 28
 //   point on the grid, for rounding    x, y: 9D + 10; z: 11D + 12 over 10D + 8
 // The widest is the orientation. A product may be written with one limb more than it needs, and operands round up to
-// whole limbs: two limbs more than the bits ask for are always enough.
+// whole limbs: two limbs more than the bits need are always enough.
 #pragma once
 
 #include <gmp.h>

@@ -33,7 +33,7 @@ struct Grid {
   int top = -5000;  ///< and smaller than 2^top in size
 
   void include(double x) {
-    // Of a double, 52 bits after a leading 1 are digits, and 11 more the exponent; the smallest have no leading 1.
+    // A double has 52 digits after a leading 1, and 11 bits of exponent; the smallest doubles have no leading 1.
     const auto bits = std::bit_cast<std::uint64_t>(x);
     std::uint64_t digits = bits & ((std::uint64_t{1} << 52) - 1);
     int exponent = static_cast<int>(bits >> 52 & 2047) - 1022;
@@ -53,16 +53,16 @@ struct Grid {
   /// Bits of the largest coordinate as an integer of the grid: all are below 2^width.
   [[nodiscard]] int width() const { return empty() ? 0 : top - low; }
 
-  /// Whether doubles compute the orientation of three places on this grid without a rounding: a difference has one bit
-  /// more than the coordinates, a product of two twice as many, and the difference of two products one more.
+  /// True when doubles compute the orientation of three places on this grid without a rounding: a difference has one
+  /// bit more than the coordinates, a product of two twice as many, and the difference of two products one more.
   [[nodiscard]] bool hasExactOrientations() const { return 2 * (width() + 1) + 1 <= 53; }
 
-  /// Doubles compute with coordinates times this power of two, which brings the largest to just below 2^36.
+  /// Doubles compute with coordinates times this power of two, which scales the largest to just below 2^36.
   [[nodiscard]] int scaleExponent() const { return empty() ? 0 : kScaledTop - top; }
 
-  /// What computed signs are worth for numbers on this grid, scaled by 2^scale. The predicates reach degree 26 in the
-  /// coordinates, with at most 30 bits of sums. While all numbers are below 2^38, no product exceeds 2^(26 * 38 + 30)
-  /// < 2^1023; while all are multiples of 2^-38, none is below 2^-988, so nothing underflows. On a finer grid an
+  /// The reliability of computed signs for numbers on this grid, scaled by 2^scale. The predicates reach degree 26 in
+  /// the coordinates, with at most 30 bits of sums. While all numbers are below 2^38, no product exceeds 2^(26 * 38 +
+  /// 30) < 2^1023; while all are multiples of 2^-38, none is below 2^-988, so nothing underflows. On a finer grid an
   /// underflow, at most 2^-1074 each and fewer than 2^10 of them, is multiplied by less than 2^(39 * 25 + 30): together
   /// below 2^-59, far below the slack, and a computed zero proves nothing. Beyond 2^38 doubles decide nothing.
   [[nodiscard]] SignRule signRule(int scale) const {

@@ -15,7 +15,7 @@ CurvePlaces::CurvePlaces(const FaceGeometry& geometry) {
     left_ = std::min(left_, p.x), right = std::max(right, p.x);
     bottom_ = std::min(bottom_, p.y), top = std::max(top, p.y);
   }
-  // Faces so small beside the environment that nothing tells their points apart are sorted by what the points are.
+  // Faces so small beside the environment that their rounded points coincide are sorted by what the points are.
   const double width = std::max(right - left_, top - bottom_);
   scale_ = width > 0x1p-900 ? 65535 / width : 0;
 }

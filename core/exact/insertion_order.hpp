@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// Where points lie along the curve through the geometry's face.
+/// The places of points along the curve through the geometry's face.
 class CurvePlaces {
  public:
   explicit CurvePlaces(const FaceGeometry& geometry);

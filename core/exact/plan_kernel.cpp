@@ -182,7 +182,7 @@ bool PlanKernel::areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const
 
 bool PlanKernel::isKnownLevel(const PlanPoint& point, Index f, Index g) const {
   if (isKnownOn({PlanLine::Trace, g, 0}, f, point) || isKnownOn({PlanLine::Trace, f, 0}, g, point)) return true;
-  // on an edge that both share
+  // Both share the edge.
   const auto& corners = mesh_->triangles[f];
   for (int k = 0; k < 3; ++k) {
     const Index u = corners[k], v = corners[k == 2 ? 0 : k + 1];

@@ -38,8 +38,8 @@ class PlanPoint {
  public:
   enum Kind : Index {
     Source,     ///< a source vertex
-    EdgePlane,  ///< where a source edge meets the plane of a triangle raised by a level
-    Crossing    ///< of two lines
+    EdgePlane,  ///< a source edge meets the plane of a triangle raised by a level
+    Crossing    ///< two lines cross
   };
 
   PlanPoint() = default;
@@ -54,14 +54,14 @@ class PlanPoint {
   }
 
   [[nodiscard]] Kind kind() const { return static_cast<Kind>(kind_); }
-  // Of a source vertex.
+  // A source vertex:
   [[nodiscard]] Index planId() const { return numbers_[0]; }
-  // Of an edge and a plane: the edge's vertices, the smaller one first.
+  // An edge and a plane. The edge's vertices are sorted, the smaller one first.
   [[nodiscard]] Index edgeBegin() const { return numbers_[0]; }
   [[nodiscard]] Index edgeEnd() const { return numbers_[1]; }
   [[nodiscard]] Index triangle() const { return numbers_[2]; }
   [[nodiscard]] Index level() const { return numbers_[3]; }
-  // Of a crossing.
+  // A crossing:
   [[nodiscard]] PlanLine firstLine() const { return {numbers_[0], numbers_[1], numbers_[2]}; }
   [[nodiscard]] PlanLine secondLine() const { return {numbers_[3], numbers_[4], numbers_[5]}; }
   [[nodiscard]] Index face() const { return face_; }
@@ -127,7 +127,7 @@ class PlanKernel {
     const MaybeSign filtered = filteredArea(pa.x - pc.x, pa.y - pc.y, pb.x - pc.x, pb.y - pc.y, sign_.slack);
     return filtered ? *filtered : orientationBeyondFilter(a, b, c, count);
   }
-  /// Whether plain doubles decide the orientation of source vertices (Grid).
+  /// True when plain doubles decide the orientation of source vertices (Grid).
   [[nodiscard]] bool hasExactOrientations() const { return exactOrientations_; }
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;
@@ -149,7 +149,7 @@ class PlanKernel {
   [[nodiscard]] Homogeneous<mpz_class> exactHomogeneous(const PlanPoint& point, Index origin) const;
   [[nodiscard]] std::array<ErrorDouble, 3> coefficients(const PlanLine& line, Index face, Index origin) const;
   [[nodiscard]] std::array<mpz_class, 3> exactCoefficients(const PlanLine& line, Index face, Index origin) const;
-  /// Whether FixedInteger holds all exact values on this grid; only then the two functions below may be called.
+  /// True when FixedInteger holds all exact values on this grid; only then the two functions below may be called.
   [[nodiscard]] bool fitsFixedIntegers() const { return grid_.width() <= kWidestFixedGrid; }
   [[nodiscard]] Homogeneous<FixedInteger> fixedHomogeneous(const PlanPoint& point, Index origin) const;
   [[nodiscard]] std::array<FixedInteger, 3> fixedCoefficients(const PlanLine& line, Index face, Index origin) const;

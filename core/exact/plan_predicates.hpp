@@ -62,8 +62,8 @@ struct GridContext {
                              narrow);
   }
   T one() const { return T(1); }
-  /// Good until the second next one is asked for: the last two are kept, as lines on one face have its normal in
-  /// common.
+  /// The reference stays valid until two further normals are computed: the last two are kept, as lines on one face
+  /// share its normal.
   const std::array<T, 3>& normal(Index t) const {
     if (normals[latest].triangle != t && normals[latest ^= 1].triangle != t) normals[latest] = {t, computeNormal(t)};
     return normals[latest].normal;

@@ -26,7 +26,7 @@ int shiftInto(mp_limb_t* limbs, IntegerView x, int shift) {
 double nearest(std::uint64_t quotient, bool more, int exponent, bool* exact) {
   const int top = exponent + 63 - std::countl_zero(quotient);
   const int lowest = std::max(top - 52, -1074);  // the exponent of the last bit that a double keeps
-  const int dropped = lowest - exponent;         // at least 10, as the quotient has 63 or 64 bits
+  const int dropped = lowest - exponent;         // at least 10, because the quotient has 63 or 64 bits
   std::uint64_t kept = 0;
   bool lost = more, up = false;
   if (dropped <= 64) {
@@ -36,7 +36,7 @@ double nearest(std::uint64_t quotient, bool more, int exponent, bool* exact) {
     up = rest > half || (rest == half && (more || (kept & 1) != 0));
     lost = lost || rest != 0;
   } else {
-    lost = true;  // below half of the smallest double
+    lost = true;  // The value is below half of the smallest double.
   }
   const double result = std::ldexp(static_cast<double>(kept + static_cast<std::uint64_t>(up)), lowest);
   if (exact != nullptr && (lost || std::isinf(result))) *exact = false;

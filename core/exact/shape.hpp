@@ -7,7 +7,7 @@
 
 namespace footfall::detail {
 
-/// How far inside a circle a corner must seem to lie for a flip, by the size of the terms that tell: more than their
+/// The distance inside a circle at which a corner is flipped, relative to the terms that decide: more than their
 /// roundings, so that flips do not go round in circles.
 inline constexpr double kWellInside = 0x1p-32;
 
@@ -20,7 +20,7 @@ inline bool isWellInsideCircle(const std::array<double, 2>& a, const std::array<
   const double bc = b[0] * c[1], cb = b[1] * c[0], ca = c[0] * a[1], ac = c[1] * a[0], ab = a[0] * b[1],
                ba = a[1] * b[0];
   const double inside = sa * (bc - cb) + sb * (ca - ac) + sc * (ab - ba);
-  if (!(inside > 0)) return false;  // as most are
+  if (!(inside > 0)) return false;  // true of most
   const double size = sa * (std::fabs(bc) + std::fabs(cb)) + sb * (std::fabs(ca) + std::fabs(ac)) +
                       sc * (std::fabs(ab) + std::fabs(ba));
   return inside > size * kWellInside;

@@ -85,14 +85,15 @@ class Editor {
 
   void mergeTriangles() {
     const std::size_t kept = edit_.keptTriangles.size(), count = edit_.soup.triangles.size();
-    std::vector<Index> numberOf(base_.triangles.size(), -1);  // of an input triangle of the base, in this environment
+    std::vector<Index> numberOf(base_.triangles.size(), -1);  // the number, in this environment, of each input triangle
+                                                              // of the base
     for (std::size_t i = 0; i < kept; ++i) numberOf[edit_.keptTriangles[i]] = static_cast<Index>(i);
     std::vector<SortedTriangle> added;
     for (std::size_t i = kept; i < count; ++i)
       added.push_back({turnedTriangle(mesh_, edit_.soup.triangles[i], edit_.bothSides), static_cast<std::uint32_t>(i)});
     std::sort(added.begin(), added.end());
 
-    // Where each comes from: a triangle of the base, or -1 - the place among those that were added.
+    // The origin of each triangle: a triangle of the base, or -1 - its place among the added ones.
     changes_->triangleOf.assign(base_.triangles.size(), -1);
     changes_->baseOf.reserve(count);
     std::size_t next = 0;
@@ -142,7 +143,7 @@ class Editor {
     }
   }
 
-  // What stays the same, run by run; added triangles get a default.
+  // Copies runs of elements that stay; added triangles get a default.
   template <class T>
   [[nodiscard]] SharedArray<T> valuesOfKept(const SharedArray<T>& before) const {
     const std::vector<Index>& from = changes_->baseOf;
@@ -162,7 +163,7 @@ class Editor {
   }
 
   void makeTree() {
-    // What the shared tree does not hold: added now, or by earlier edits.
+    // Triangles that the shared tree lacks: added now, or by earlier edits.
     std::vector<Box> boxes;
     std::vector<std::int32_t> ids;
     const auto add = [&](Index t) {

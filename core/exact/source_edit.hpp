@@ -1,4 +1,4 @@
-// From the source mesh of an environment to that of an edited one, without sorting it anew.
+// Makes the source mesh of an edited environment from that of its base, without sorting it anew.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +11,17 @@
 
 namespace footfall::detail {
 
-/// How the numbers of an edited mesh follow from those of its base. All maps rise: what was kept keeps its order, so
-/// that every choice by the smaller number stays what it was.
+/// The numbers of an edited mesh in terms of those of its base. All maps rise: what was kept keeps its order, so that
+/// every choice by the smaller number stays what it was.
 struct SourceEdit {
   std::weak_ptr<const SourceMesh> base;
-  std::vector<Index> vertexOf;    ///< for each vertex of the base its number now, or -1
-  std::vector<Index> planOf;      ///< for each plan id of the base its number now, or -1 (also for what is no plan id)
-  std::vector<Index> triangleOf;  ///< for each triangle of the base its number now, or -1
-  std::vector<Index> baseOf;      ///< for each triangle its number in the base, or -1
-  std::vector<Index> addedTriangles;  ///< that came and are not degenerate, ascending
-  std::vector<Box> removed, added;    ///< of the triangles that went and came
+  std::vector<Index> vertexOf;    ///< new number of each vertex of the base, or -1
+  std::vector<Index> planOf;      ///< new number of each plan id of the base, or -1 (also for numbers that are no plan
+                                  ///< id)
+  std::vector<Index> triangleOf;  ///< new number of each triangle of the base, or -1
+  std::vector<Index> baseOf;      ///< number in the base of each triangle, or -1
+  std::vector<Index> addedTriangles;  ///< new triangles that are not degenerate, ascending
+  std::vector<Box> removed, added;    ///< boxes of the triangles that went and came
 };
 
 /// A soup of which the first vertices and triangles are some of another one, in the same order.
@@ -28,7 +29,7 @@ struct SoupEdit {
   SoupView soup;
   std::span<const std::uint32_t> keptVertices;   ///< numbers in the other one, ascending
   std::span<const std::uint32_t> keptTriangles;  ///< numbers in the other one, ascending
-  bool bothSides = false;                        ///< as for makeSourceMesh()
+  bool bothSides = false;                        ///< meaning as in makeSourceMesh()
 };
 
 /// The mesh that makeSourceMesh() makes of the edit's soup; the other soup is the one that `base` was made of. Null

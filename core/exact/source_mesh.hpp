@@ -29,23 +29,24 @@ struct SourceMesh {
   /// Coordinates times 2^grid.scaleExponent(): what doubles compute with. Exact, except where a coordinate underflows,
   /// which the sign rule allows for.
   std::vector<Vec3> scaled;
-  /// For each vertex the smallest vertex with the same x and y: its identity in the plan.
+  /// The plan id of each vertex: the smallest vertex with the same x and y, its identity in the plan.
   std::vector<Index> planIds;
   // Copies to which places of the plan are added share what belongs to triangles.
   SharedArray<std::array<Index, 3>> triangles;
   SharedArray<std::uint32_t> inputTriangles;           ///< index in the environment (or in the earlier generation)
-  SharedArray<std::array<ErrorDouble, 3>> normals;     ///< of scaled coordinates; zero components are exactly zero
+  SharedArray<std::array<ErrorDouble, 3>> normals;     ///< normals of scaled coordinates; zero components are exactly
+                                                       ///< zero
   SharedArray<std::int8_t> facing;                     ///< sign of the normal's z
   SharedArray<char> degenerate;                        ///< zero area
-  std::vector<std::pair<Index, Index>> obstacleEdges;  ///< from an earlier generation: sorted, smaller vertex first
+  std::vector<std::pair<Index, Index>> obstacleEdges;  ///< those of an earlier generation: sorted, smaller vertex first
 
-  Grid grid;  ///< of the vertices
+  Grid grid;  ///< the vertices' grid
 
-  SourceTree tree;  ///< over all triangles that are not degenerate
+  SourceTree tree;  ///< all triangles that are not degenerate
 
-  SharedArray<Index> welded;               ///< for each vertex of the soup its vertex
-  std::shared_ptr<const SourceEdit> edit;  ///< how it follows from an earlier mesh; null when it was made from nothing
-  std::vector<char> addedLater;            ///< for each triangle: the edits since the tree was built added it; or empty
+  SharedArray<Index> welded;               ///< welded vertex of each vertex of the soup
+  std::shared_ptr<const SourceEdit> edit;  ///< its relation to an earlier mesh; null when it was made from nothing
+  std::vector<char> addedLater;            ///< one flag per triangle: edits since the tree was built added it; or empty
 
   /// So many vertices at the end are no corners of triangles, only places of the plan (addPlanPlaces()).
   std::size_t planPlaces = 0;
@@ -60,9 +61,9 @@ struct SourceMesh {
 struct SoupView {
   std::span<const Vec3> vertices;
   std::span<const Triangle> triangles;
-  std::span<const std::uint32_t> inputTriangles;  ///< for each triangle its number in the input; empty: 0, 1, 2, ...
+  std::span<const std::uint32_t> inputTriangles;  ///< number in the input of each triangle; empty: 0, 1, 2, ...
   std::span<const std::array<std::uint32_t, 2>> obstacleEdges = {};  ///< pairs of vertices on which obstacles stand
-  Grid grid = {};  ///< of more than is shown: what is computed is to be the same as in all of it
+  Grid grid = {};  ///< grid of the whole that this is a part of, so that results are the same as in the whole
 
   SoupView(std::span<const Vec3> givenVertices, std::span<const Triangle> givenTriangles,
            std::span<const std::uint32_t> givenInputTriangles = {})

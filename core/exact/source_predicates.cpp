@@ -51,7 +51,7 @@ std::array<T, 3> exactNormal(const Vec3& a, const Vec3& b, const Vec3& c, const 
                   {minus(c.x, a.x), minus(c.y, a.y), minus(c.z, a.z)});
 }
 
-// With D = Grid::width() + 1 the normal has 2 D + 1 bits, squares 4 D + 2, and what is compared below 4 D + 6; two
+// The normal has 2 D + 1 bits with D = Grid::width() + 1, squares 4 D + 2, and compared values fewer than 4 D + 6; two
 // limbs more are always enough (FixedInteger).
 constexpr int kWidestGrid = (64 * (FixedInteger::kCapacity - 2) - 6) / 4 - 1;
 

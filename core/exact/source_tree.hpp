@@ -80,7 +80,7 @@ class SourceTree {
     if (!stopped) added_->visitCrossing(query, stack, visit);
   }
 
-  /// Whether different coordinates of triangles on the grid stay different here (TriangleTree::isExactOn()).
+  /// True when different coordinates of triangles on the grid stay different here (TriangleTree::isExactOn()).
   [[nodiscard]] bool isExactOn(const Grid& grid) const {
     const auto isExact = [&](const TriangleTree& tree) { return tree.empty() || tree.isExactOn(grid.low, grid.top); };
     return tree_ && isExact(*tree_) && (!added_ || isExact(*added_));
@@ -88,7 +88,7 @@ class SourceTree {
 
  private:
   std::shared_ptr<const TriangleTree> tree_;
-  std::shared_ptr<const std::vector<std::int32_t>> numbers_;  ///< for each id in tree_; null: itself
+  std::shared_ptr<const std::vector<std::int32_t>> numbers_;  ///< number of each id in tree_; null: the id itself
   std::shared_ptr<const TriangleTree> added_;                 ///< null together with numbers_
 };
 

@@ -15,7 +15,7 @@ namespace footfall::detail {
 struct Adjacency {
   std::vector<Index>
       sides;  ///< grouped by edge, ascending within one; edges are sorted by their vertices, smaller first
-  std::vector<Index> first;  ///< for each edge its first place in `sides`, and one more at the end
+  std::vector<Index> first;  ///< first place of each edge in `sides`, and one more entry at the end
 
   [[nodiscard]] Index edgeCount() const { return static_cast<Index>(first.size()) - 1; }
   [[nodiscard]] std::span<const Index> sidesOf(Index edge) const {
@@ -27,12 +27,12 @@ struct Adjacency {
 /// `poll` is called now and then, from any thread, and may throw to cancel.
 Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, Poll poll = {});
 
-/// What findEdges() gives for some of the triangles over the same vertices: `renumbered` has for each triangle its
-/// number among them, ascending, or -1.
+/// The adjacency that findEdges() gives for some of the triangles over the same vertices: `renumbered` holds the
+/// ascending number of each triangle among them, or -1.
 Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered, Poll poll);
 
-/// For each triangle its part: triangles that share an edge belong to one. Parts are numbered from 0 in the order of
-/// their first triangles. `poll` as above.
+/// The part of each triangle: triangles that share an edge belong to one part. Parts are numbered from 0 in the order
+/// of their first triangles. `poll` as above.
 std::vector<Index> findParts(const TriangleCorners& triangles, std::size_t vertexCount, Index& partCount,
                              Poll poll = {});
 

@@ -1,4 +1,4 @@
-// For chosen vertices of a mesh the triangles around each, kept up to date while triangles change their corners.
+// The triangles around chosen vertices of a mesh, kept up to date while triangles change their corners.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -12,7 +12,7 @@
 namespace footfall::detail {
 
 struct FirstUses {
-  std::vector<Index> numbers;  ///< for each vertex, or -1 where nothing uses it
+  std::vector<Index> numbers;  ///< number of each vertex, or -1 when nothing uses it
   std::vector<Index> order;    ///< the vertices, by number
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 bool isSamePlace(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y; }
 
-/// Where the edges of a link begin on the same side, and on the other one.
+/// True when both edges of a link end at one place, at the given end.
 bool meetsAt(const StepLink& link, std::span<const Vec3> vertices, int end) {
   return isSamePlace(vertices[link.from[end]], vertices[link.to[1 - end]]);
 }

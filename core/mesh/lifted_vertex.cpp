@@ -7,7 +7,7 @@
 namespace footfall::detail {
 namespace {
 
-// As in PlanKernel: what is known worse than this share of the coordinates is computed exactly.
+// Values with a larger relative error are computed exactly, as in PlanKernel.
 constexpr double kCoarse = 0x1p-26;
 
 }  // namespace
@@ -26,8 +26,8 @@ MeshVertex liftedVertex(const PlanKernel& kernel, Index face, const PlanPoint& p
   vertex.error = std::max({gx.error, gy.error, gz.error});
   const auto size = [&] { return std::max({std::fabs(vertex.x), std::fabs(vertex.y), std::fabs(vertex.z)}); };
   if (!(vertex.error < kCoarse * (size() + 1))) {
-    // On a sliver, doubles may know next to nothing of the normal. Half a unit in the last place, doubled, and what
-    // subnormal numbers lose.
+    // Doubles may hold next to nothing of a sliver's normal. The bound is half a unit in the last place, doubled, and
+    // what subnormal numbers lose.
     const int scale = mesh.grid.scaleExponent();
     const Vec3 place = kernel.roundedPosition(point, face);
     vertex.x = std::ldexp(place.x, scale), vertex.y = std::ldexp(place.y, scale), vertex.z = std::ldexp(place.z, scale);

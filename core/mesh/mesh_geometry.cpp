@@ -29,7 +29,7 @@ int MeshGeometry::orientation(Index a, Index b, Index c) {
   return sign ? *sign : doubtfulOrientation(a, b, c);
 }
 
-// By what the points are, else by their values.
+// Decides by what the points are, else by their values.
 int MeshGeometry::doubtfulOrientation(Index a, Index b, Index c) {
   const MeshVertex &p = vertices_[a], &q = vertices_[b], &r = vertices_[c];
   const auto areOnLineOf = [&](const PlanPoint& x, const PlanPoint& y, const PlanPoint& z) {
@@ -81,8 +81,8 @@ bool MeshGeometry::isBetween(Index u, Index v, Index w) {
   return false;
 }
 
-// Two triangles are apart when an edge of one has all corners of the other on its outer side. What doubles tell about
-// all six edges comes first: only where none of them separates for sure are the doubtful ones decided exactly.
+// Two triangles are apart when an edge of one has all corners of the other on its outer side. Doubles are tried on all
+// six edges first: only where none of them separates for sure are the doubtful ones decided exactly.
 //
 // One bound serves all doubles, u = 2^-53: relative to one corner, coordinates are at most d in size, and each is off
 // by at most e + u d, e being the vertices' own error. Differences of two are at most 2 d and off by f = 2 e + 4 u d.

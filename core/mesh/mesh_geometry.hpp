@@ -14,11 +14,11 @@ namespace footfall::detail {
 struct PlanTriangle {
   std::array<Index, 3> corners{};
   std::array<double, 3> x{}, y{};
-  double error = 0;      ///< of any of the coordinates
+  double error = 0;      ///< error of each coordinate
   bool isSource = true;  ///< all corners are source vertices
 };
 
-/// What a PlanTriangle has of a vertex.
+/// The part of a vertex that a PlanTriangle holds.
 struct PlanPlace {
   double x = 0, y = 0, error = 0;
   bool isSource = false;

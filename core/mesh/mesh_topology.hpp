@@ -1,4 +1,4 @@
-// What the edges of a walkable mesh mean: obstacles, regions, connections.
+// The meaning of the edges of a walkable mesh: obstacles, regions, connections.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -30,7 +30,7 @@ std::vector<MeshLink> linksBetween(const std::vector<MeshLink>& all, const std::
 std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<MeshTriangle>& triangles,
                                    const std::vector<Index>& renumbered, const Adjacency& topology);
 
-/// For each triangle its region: triangles that share an edge which is not an obstacle edge, or are linked by a step,
+/// The region of each triangle: triangles that share an edge which is not an obstacle edge, or are linked by a step,
 /// belong to one (docs/explanation/model.md, Terms). Regions are numbered from 0 in the order of their first triangles.
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount);
 

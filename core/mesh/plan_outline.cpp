@@ -18,13 +18,14 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 14;
-constexpr int kRounding = -40;  // as a power of two of the extent: what is nearer may be apart by rounding alone
+constexpr int kRounding = -40;  // A power of two, relative to the extent: smaller distances may be due to rounding
+                                // alone.
 constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
 /// A side of a triangle, with the triangle on its left.
 struct Side {
   std::uint32_t from = 0, to = 0;            ///< vertices of the mesh
-  std::uint32_t fromPlace = 0, toPlace = 0;  ///< what decides which sides are one edge
+  std::uint32_t fromPlace = 0, toPlace = 0;  ///< The two places decide which sides are one edge.
   std::uint32_t triangle = 0;                ///< its place in the list that is outlined
 };
 
@@ -36,7 +37,7 @@ bool comesBefore(const Side& a, const Side& b) {
          std::tuple(edgeOf(b), std::minmax(b.from, b.to), b.triangle);
 }
 
-/// For each vertex the first one at its place in the plan.
+/// The first vertex at the same place in the plan, of each vertex.
 std::vector<std::uint32_t> placesOf(const NavigationMesh& mesh) {
   std::vector<std::uint32_t> order(mesh.vertices.size()), places(mesh.vertices.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -233,7 +234,7 @@ class Outliner {
     return best;
   }
 
-  /// Whether, clockwise round `middle` and from the direction of `back`, a comes before b.
+  /// True when, clockwise round `middle` and from the direction of `back`, a comes before b.
   [[nodiscard]] bool isBefore(std::uint32_t back, std::uint32_t middle, std::uint32_t a, std::uint32_t b) const {
     const int sectorA = sectorOf(back, middle, a), sectorB = sectorOf(back, middle, b);
     if (sectorA != sectorB) return sectorA < sectorB;
@@ -254,7 +255,7 @@ class Outliner {
     if (ring.size() < 2 || (rule_ == EdgeRule::SamePlace && isSliver(ring))) return;
     std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
     const double area = doubleAreaOf(mesh_, ring);
-    // Of two that go round, as only folds by rounding make them, the larger one counts.
+    // Folds by rounding can make two outlines that go round; the larger one counts.
     if (area <= 0)
       part.holes.push_back(std::move(ring));
     else if (part.outer.empty() || area > doubleAreaOf(mesh_, part.outer))
@@ -277,7 +278,7 @@ class Outliner {
   DisjointSets parts_;
   std::vector<Side> sides_, border_;
   std::vector<char> isUsed_;
-  std::vector<std::size_t> passed_;                   ///< where in the path a side leaves the place
+  std::vector<std::size_t> passed_;                   ///< index in the path at which a side leaves the place
   std::vector<std::array<std::uint32_t, 2>> linked_;  ///< edges over which a step leads
   bool isCut_ = false;  ///< sides were cut at places, so that equal vertices say nothing any more
   double extent_ = 0;

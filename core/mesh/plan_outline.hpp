@@ -23,12 +23,12 @@ struct PlanPart {
 };
 
 struct PlanOutline {
-  std::vector<PlanPart> parts;  ///< by their first triangles
+  std::vector<PlanPart> parts;  ///< sorted by their first triangles
   /// Edges inside a part that an agent cannot cross: thin walls and ledges. Each once.
   std::vector<std::array<std::uint32_t, 2>> barriers;
 };
 
-/// What counts as one edge of two triangles.
+/// The rule that decides which sides of two triangles are one edge.
 enum class EdgeRule {
   Joined,  ///< the same two vertices: an agent crosses it; a thin wall is a hole without an area
   /// The same two places in the plan, whatever the heights: treads of stairs and both sides of a thin wall grow
@@ -38,10 +38,10 @@ enum class EdgeRule {
 
 /// `triangles` are numbers of triangles of the mesh, ascending, which for EdgeRule::SamePlace do not overlap in the
 /// plan. Each ring passes a place at most once: an outline that touches itself becomes an outer ring and holes that
-/// touch it, and parts that touch in one point are two. Which way a ring goes on where several meet is decided exactly;
-/// what is smaller than rounding can tell (2^-40 of the extent, times its length) is left out. By SamePlace, places
-/// that lie on a side of the border (within that) cut it, as surfaces that are not joined share no vertices. With
-/// `groups`, one for each triangle of the mesh, only triangles of the same group grow together. `poll` may throw.
+/// touch it, and parts that touch in one point are two. The continuation of a ring where several meet is decided
+/// exactly; features below rounding (2^-40 of the extent, times its length) is left out. By SamePlace, places that lie
+/// on a side of the border (within that) cut it, as surfaces that are not joined share no vertices. With `groups`, one
+/// for each triangle of the mesh, only triangles of the same group grow together. `poll` may throw.
 PlanOutline outlineInPlan(const NavigationMesh& mesh, std::span<const std::uint32_t> triangles, EdgeRule rule,
                           Poll poll = {}, std::span<const std::uint32_t> groups = {});
 
@@ -52,7 +52,7 @@ double doubleAreaOf(const NavigationMesh& mesh, const PlanRing& ring);
 /// (footfall/inspect.hpp): largest area first, then by their first triangles.
 struct NumberedParts {
   std::vector<std::uint32_t> ofTriangle;
-  std::vector<double> areas;  ///< of the surface, rounded
+  std::vector<double> areas;  ///< surface areas, rounded
 };
 NumberedParts numberParts(const NavigationMesh& mesh, Poll poll = {});
 

@@ -1,4 +1,4 @@
-// Which storeys of a building its walkable area lies on.
+// The storeys of a building on which its walkable area lies.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -27,10 +27,11 @@ struct SurfaceTopology {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
   std::vector<std::array<std::uint32_t, 3>> neighbours;  ///< across each side, or kNone
-  std::vector<std::array<std::uint32_t, 3>> fans;        ///< of each corner
+  std::vector<std::array<std::uint32_t, 3>> fans;        ///< fan of each corner
   std::vector<std::uint32_t> fanVertices;  ///< the mesh vertex of each fan; at a step one of those over each other
   std::vector<char> isOpen;                ///< the fan ends at borders: its vertex lies on the border of the surface
-  std::vector<std::uint32_t> components;   ///< of each triangle, numbered from 0 in the order of their first triangles
+  std::vector<std::uint32_t> components;   ///< component of each triangle, numbered from 0 in the order of their first
+                                           ///< triangles
   std::uint32_t componentCount = 0;
 
   /// The side of `neighbours[triangle][side]` that is this one.

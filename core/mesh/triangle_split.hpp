@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// For each edge (corner k to k + 1) the vertices strictly inside it in that order; null or empty when there are none.
+/// The vertices strictly inside each edge (corner k to k + 1), in that order; null or empty when there are none.
 using EdgeVertices = std::array<const std::vector<Index>*, 3>;
 
 /// Appends the pieces; obstacle flags stay on the pieces of their edge. None of them is degenerate when the vertices

@@ -47,9 +47,10 @@ struct MeshLink {
 /// A stretch of an edge of the border from which one drops into a triangle. Places are scaled coordinates, rounded.
 struct MeshDrop {
   std::array<Index, 2> edge{};                              ///< its vertices, with walkable area on its left
-  Index triangle = -1;                                      ///< in which one lands
-  std::array<double, 2> stretch{};                          ///< of the edge: 0 at its first vertex, 1 at its second
-  std::array<std::array<double, 3>, 2> start{}, landing{};  ///< at the ends of the stretch
+  Index triangle = -1;                                      ///< triangle of the landing
+  std::array<double, 2> stretch{};                          ///< part of the edge: 0 at its first vertex, 1 at its
+                                                            ///< second
+  std::array<std::array<double, 3>, 2> start{}, landing{};  ///< places at the ends of the stretch
   auto operator<=>(const MeshDrop&) const = default;
 };
 
