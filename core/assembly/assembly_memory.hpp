@@ -1,4 +1,4 @@
-// What a clearance filter keeps beside its result, so that a later run need not find it again.
+// The data that a clearance filter keeps beside its result, so that a later run need not compute it again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace footfall::detail {
 
-/// Which vertices lie on which outlines. Faces are known by their number, what belongs to them by its place among the
-/// face's own: nothing here depends on what other faces there are.
+/// The vertices that lie on each outline. Faces are identified by their number, their parts by the place among the
+/// face's own parts: nothing here depends on other faces.
 struct JoinMemory {
   /// One face that was joined: its number, where its points begin, and where its outlines begin. A face that nothing
   /// cuts has three points, and no outlines of its own: its edges say all.
@@ -35,24 +35,24 @@ struct JoinMemory {
     return {(-2 - number) / 3, (-2 - number) % 3};
   }
   std::vector<Entry> entries;   ///< and one more, with the ends
-  std::vector<Index> vertexOf;  ///< for each point of each entry its vertex, or -1
+  std::vector<Index> vertexOf;  ///< vertex of each point of each entry, or -1
   Index vertexCount = 0;
   std::vector<Incidence> between;              ///< the vertex lies strictly inside the outline
   std::vector<std::pair<Index, Index>> equal;  ///< vertices at one place
 };
 
-/// What is kept of a face under many obstacles, so that an edit cuts it anew only near what changed.
+/// The data kept of a face under many obstacles, so that an edit cuts it anew only near the change.
 struct LargeFace {
   std::vector<ApproximatePoint> points;    ///< those of its cuts, relative to its first vertex
-  std::array<std::uint64_t, 64> depths{};  ///< how deep obstacles lie over its parts
-  std::size_t areas = 0;                   ///< how many obstacles are no walls
+  std::array<std::uint64_t, 64> depths{};  ///< depth of obstacles over each of its parts
+  std::size_t areas = 0;                   ///< number of obstacles that are no walls
 };
 
 struct AssemblyMemory {
-  /// For each source triangle that something cuts; else null.
+  /// One entry per source triangle; null where nothing cuts it.
   FaceMeshes meshes;
-  /// For each source triangle what stands in the clearance above it and overlaps it in the plan, ascending; null:
-  /// nothing, or no floor.
+  /// The triangles in the clearance above each source triangle that overlap it in the plan, ascending; null: none, or
+  /// no floor.
   std::vector<std::shared_ptr<const std::pmr::vector<Index>>> candidates;
   /// Some source triangles under many obstacles.
   std::map<Index, std::shared_ptr<const LargeFace>> large;

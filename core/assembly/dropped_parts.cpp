@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t kPolled = 1 << 16;
 constexpr std::size_t kTrianglesPerTask = 2048;
 
-/// For each triangle its number among those that stay, or -1.
+/// The number of each triangle among those that stay, or -1.
 std::vector<Index> numbersOfKept(const RegionChoice& choice, RunContext& context) {
   std::vector<Index> numbers(choice.region.size());
   Index next = 0;
@@ -29,8 +29,8 @@ std::vector<Index> numbersOfKept(const RegionChoice& choice, RunContext& context
 
 }  // namespace
 
-// What was taken away does not come back when floors are cut anew. The outlines of earlier parts stay among the
-// cuts, so a new triangle lies in an earlier part as a whole, and any inner point tells which.
+// Removed parts do not come back when floors are cut anew. The outlines of earlier parts stay among the cuts, so a new
+// triangle lies in an earlier part as a whole, and any inner point identifies it.
 std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                    const WalkableMesh& dropped, RunContext& context,
                                                    ExactFallbacks& fallbacks) {
@@ -159,7 +159,7 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
       keepFloorsOf(*kept);
     else if (mesh.links.empty())
       result->walkable = sameOf(std::move(plain))->walkable;
-    else  // behind a clearance filter: no floors overlap in one plane
+    else  // Behind a clearance filter no floors overlap in one plane.
       keepFloorsOf(
           *withoutDropped(*state.kernel, *assembleMesh(*plain, context, fallbacks), *dropped, context, fallbacks));
     dropped = nullptr;  // rejected source triangles are obstacles as they are

@@ -19,19 +19,19 @@ std::shared_ptr<const WalkableMesh> withoutDropped(const PlanKernel& kernel, con
                                                    const WalkableMesh& dropped, RunContext& context,
                                                    ExactFallbacks& fallbacks);
 
-/// What the filter that takes regions away makes of another state.
+/// The result of the same filter, which takes regions away, for another state.
 using SameFilter = std::function<StatePtr(const StatePtr& state)>;
 
-/// Which regions of a state's mesh are to stay.
+/// The regions of a state's mesh that stay.
 struct RegionChoice {
-  const Adjacency& topology;         ///< of the mesh
-  const std::vector<Index>& region;  ///< of each triangle (findRegions())
-  const std::vector<char>& keep;     ///< for each region
+  const Adjacency& topology;         ///< adjacency of the mesh
+  const std::vector<Index>& region;  ///< region of each triangle (findRegions())
+  const std::vector<char>& keep;     ///< one flag per region
   bool isLast = false;               ///< nobody needs the state any more (Recall::isLast)
 };
 
-/// The state without the other regions. Links and drops stay where both of their sides do. `sameOf` is asked for the
-/// state before a simplification, where that is needed to know which floors are left.
+/// The state without the other regions. Links and drops stay where both of their sides do. `sameOf` is called with the
+/// state before a simplification when that is needed to find which floors are left.
 std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, const RegionChoice& choice,
                                                  const SameFilter& sameOf, RunContext& context,
                                                  ExactFallbacks& fallbacks);

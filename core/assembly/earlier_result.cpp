@@ -14,7 +14,7 @@ namespace {
 // So many boxes are worth a tree.
 constexpr std::size_t kManyBoxes = 32;
 
-// Whether a point depends on a height above a floor.
+// True when a point depends on a height above a floor.
 bool usesLevel(const PlanPoint& point) {
   const auto isRaised = [](const PlanLine& line) { return line.kind == PlanLine::Trace && line.b != 0; };
   if (point.kind() == PlanPoint::EdgePlane) return point.level() != 0;
@@ -26,7 +26,8 @@ const std::shared_ptr<const SourceMesh>& withoutPlaces(const PlanKernel& kernel)
   return mesh->withoutPlaces ? mesh->withoutPlaces : mesh;
 }
 
-// Whether a point depends on places of the plan that were added: their numbers mean nothing elsewhere.
+// True when a point depends on places of the plan that were added; the numbers of such places are meaningless
+// elsewhere.
 bool usesPlaces(const PlanPoint& point, const SourceMesh& mesh) {
   const auto count = static_cast<Index>(mesh.vertices.size() - mesh.planPlaces);
   const auto isAdded = [count](const PlanLine& line) {

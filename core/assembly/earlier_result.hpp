@@ -1,4 +1,4 @@
-// What an earlier run found at the same place of a pipeline, and what of it still holds.
+// The results of an earlier run at the same place of a pipeline, and the parts of them that still hold.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -29,30 +29,30 @@ class EarlierResult {
   [[nodiscard]] Index faceBefore(Index face) const { return edit_ ? edit_->baseOf[face] : face; }
   /// The number that a triangle of the earlier mesh has now, or -1.
   [[nodiscard]] Index faceNow(Index before) const { return edit_ ? edit_->triangleOf[before] : before; }
-  /// Whether two vertices of walkable meshes are the same: point, face, source and rounded place.
+  /// True when two vertices of walkable meshes are the same: point, face, source and rounded place.
   [[nodiscard]] bool isSame(const MeshVertex& before, const MeshVertex& now) const;
-  /// Whether levels of heights mean what they meant.
+  /// True when the levels denote the same heights.
   [[nodiscard]] bool sameHeights() const { return sameHeights_; }
   /// An earlier vertex of a mesh, in numbers of the present one: what it was made of must still be there.
   [[nodiscard]] MeshVertex vertexNow(const MeshVertex& before) const;
-  /// Whether the lines that cut a face are those of the earlier state, in the same order. Both have cuts.
+  /// True when the lines that cut a face are those of the earlier state, in the same order. Both have cuts.
   [[nodiscard]] bool hasSameLines(Index face, const CutTable& now) const;
-  /// Whether all of a face's cuts are those of the earlier state. Both have cuts.
+  /// True when all of a face's cuts are those of the earlier state. Both have cuts.
   [[nodiscard]] bool hasSameCuts(Index face, const CutTable& now) const;
-  /// Whether a triangle that came or went may reach into the box.
+  /// True when a triangle that came or went may reach into the box.
   [[nodiscard]] bool isTouched(const Box& box) const;
 
-  // What a clearance filter remembered of a face.
+  // The data that a clearance filter kept of a face:
 
   [[nodiscard]] std::shared_ptr<const FaceCuts> cuts(Index faceBefore, const CopyMemory& memory) const;
   [[nodiscard]] std::shared_ptr<const FaceMesh> mesh(Index faceBefore, const CopyMemory& memory) const;
-  /// What stood above a face, as far as it still exists.
+  /// The obstacles above a face that still exist.
   [[nodiscard]] std::shared_ptr<const std::pmr::vector<Index>> candidates(Index faceBefore,
                                                                           const CopyMemory& memory) const;
-  /// What stood above a face and does not exist any more, in numbers of the earlier mesh.
+  /// The obstacles above a face that no longer exist, in numbers of the earlier mesh.
   [[nodiscard]] std::vector<Index> gone(Index faceBefore) const;
-  /// Around all triangles that went, and all that came, which may reach into the box; without any, a box that overlaps
-  /// none.
+  /// The boxes around all triangles that went, and around all that came, if they may reach into the box; else boxes
+  /// that overlap none.
   [[nodiscard]] std::array<Box, 2> changedIn(const Box& box) const;
   /// The triangles that came, except degenerate ones.
   [[nodiscard]] const std::vector<Index>& added() const;
@@ -66,7 +66,7 @@ class EarlierResult {
   std::shared_ptr<const SourceEdit> edit_;    ///< null: the same mesh
   bool sameHeights_;                          ///< levels mean what they meant
   Box removed_, added_;                       ///< around all that went and came
-  std::shared_ptr<const TriangleTree> tree_;  ///< over both, where they are many
+  std::shared_ptr<const TriangleTree> tree_;  ///< tree over both, if there are many
 };
 
 }  // namespace footfall::detail

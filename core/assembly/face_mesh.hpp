@@ -19,7 +19,7 @@ struct FaceMesh {
     std::array<Index, 3> corners{};
     std::uint8_t obstacleEdges = 0;                    ///< bit k: edge from corner k to k + 1
     std::uint8_t outlineEdges = 0;                     ///< bit k: no walkable part of this face on the other side
-    std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< for an outline edge on the face's own edge: which
+    std::array<std::int8_t, 3> faceEdges{-1, -1, -1};  ///< the face's own edge on which an outline edge lies
     std::array<Index, 3> lines{-1, -1, -1};            ///< supporting line of an outline or obstacle edge
   };
   FaceMesh() = default;
@@ -36,7 +36,7 @@ struct FaceMesh {
   std::pmr::vector<Cell> cells;
 };
 
-/// For each source triangle what its cuts leave; null where nothing cuts it.
+/// The remainder of each source triangle after its cuts; null where nothing cuts it.
 using FaceMeshes = std::vector<std::shared_ptr<const FaceMesh>>;
 
 /// Triangulates a face by its cuts. `covered` chooses the covered parts instead of the walkable ones.
@@ -54,9 +54,9 @@ class FaceMesher {
  private:
   void insertCuts(const FaceCuts& cuts);
 
-  std::vector<Index> points_, lines_;    ///< of the cuts, in the geometry
-  std::vector<Index> pointOf_, lineOf_;  ///< of the geometry, in the mesh
-  std::vector<char> isTaken_;            ///< for each cell of the triangulation
+  std::vector<Index> points_, lines_;    ///< number in the geometry of each of the cuts' points and lines
+  std::vector<Index> pointOf_, lineOf_;  ///< number in the mesh of each of the geometry's points and lines
+  std::vector<char> isTaken_;            ///< one flag per cell of the triangulation
   FaceMesh result_;
 
   FaceGeometry geometry_;

@@ -1,4 +1,4 @@
-// What obstacles leave on the part of a floor that lies in one cell, until the cells are put together.
+// The part of a floor in one cell that obstacles leave, kept until the cells are joined.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -29,11 +29,11 @@ struct FaceShare {
   int startWinding = 0;  ///< regions beside the start of the face's first edge, as far as this cell has it
   bool dependsOnFloors = false;
   std::vector<PlanPoint> points;
-  std::vector<std::uint8_t> borders;  ///< as in FaceCuts
+  std::vector<std::uint8_t> borders;  ///< see FaceCuts
   std::vector<PlanLine> lines;
   std::vector<CutSegment> segments;
   std::vector<Piece> pieces;
-  std::vector<Index> candidates;  ///< what stands in the clearance above this part, ascending
+  std::vector<Index> candidates;  ///< obstacles in the clearance above this part, ascending
 
   [[nodiscard]] bool empty() const {
     return !removed && edgeWalls == 0 && startWinding == 0 && !dependsOnFloors && segments.empty() && pieces.empty() &&

@@ -1,4 +1,4 @@
-// From faces and their cuts to one conforming mesh: triangulate, weld, close T-joints, join contacts (model,
+// Builds one conforming mesh from faces and their cuts: triangulates, welds, closes T-joints, joins contacts (model,
 // Conforming results).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -33,7 +33,7 @@ std::shared_ptr<const WalkableMesh> joinFaces(const WalkableState& state, const 
                                               const std::shared_ptr<FaceMeshes>& meshes, AssemblyMemory* memory,
                                               RunContext& context, ExactFallbacks& fallbacks);
 
-/// What cuts left of faces, for display: rounded, not joined.
+/// The remainders of cut faces, for display: rounded, not joined.
 std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, const CutTable& cuts,
                                                      const FaceMeshes& meshes, std::span<const Index> faces,
                                                      const RunContext& context);

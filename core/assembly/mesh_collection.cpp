@@ -1,4 +1,4 @@
-// How a MeshJoiner collects the parts of all faces.
+// The part of MeshJoiner that collects the parts of all faces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Triangles, outlines and points have their places by the faces' order. Vertices are numbered by their first use. All
@@ -29,7 +29,7 @@ constexpr std::size_t kTrianglesPerTask = 1024;
 constexpr std::size_t kPointsPerBlock = 2048;
 constexpr Index kLastPlace = std::numeric_limits<Index>::max();
 
-// What a used point is, where it is no source vertex. The last three are crossings on the face's own edges 0, 1, 2.
+// The kind of a used point that is no source vertex. The last three are crossings on the face's own edges 0, 1, 2.
 constexpr Index kOnSourceEdge = -1, kOfOneFace = -2, kUnused = -3, kCrossingOnEdge = -4;
 
 template <class Work>
@@ -45,7 +45,7 @@ void forBlocks(std::size_t count, std::size_t size, RunContext& context, const W
 /// A point that all faces at a source edge know by one name; for most points that name says which edge it is.
 struct MeshJoiner::SharedPoint {
   PlanPoint point;
-  Index from = -1, to = -1;  ///< of a crossing: the source vertices of the edge
+  Index from = -1, to = -1;  ///< source vertices of the edge of a crossing
   bool operator==(const SharedPoint&) const = default;
 };
 
@@ -58,7 +58,7 @@ struct MeshJoiner::SharedUse {
 struct MeshJoiner::SharedUses {
   static constexpr std::size_t kLists = 16;
   std::vector<SharedUse> uses;
-  std::array<std::size_t, kLists + 1> first{};  ///< of each list, and the end
+  std::array<std::size_t, kLists + 1> first{};  ///< start of each list, and the end
 
   static std::size_t listOf(const SharedUse& use) {
     return NumberedTable<SharedPoint>::hashOf(use.point) >> 20 & (kLists - 1);
@@ -77,16 +77,17 @@ struct MeshJoiner::SharedUses {
 struct MeshJoiner::Additions {
   std::span<const FaceToJoin> faces;
   std::size_t pointCount = 0, triangleCount = 0, outlineCount = 0;
-  /// For each block of triangles the outlines of the face to which the first one belongs, before that one.
+  /// The number of outlines before the face of each block's first triangle.
   std::vector<Index> outlinesBefore;
   /// The points of each face in the order of their first use, from where its points begin; then -1 for those without.
   std::vector<Index> pointOf;
-  std::vector<Index> names;  ///< of each of them: a source vertex, or what it is instead
-  /// Of each of them the first one that is the same vertex; when that has a number, -1 - number.
+  std::vector<Index> names;  ///< name of each use: a source vertex, or the kind of the point
+  /// The first use of the same vertex, of each use; once that one has a number, -1 - number.
   UnfilledArray<Index> firstUse;
-  std::vector<std::atomic<Index>> firstUseOfSource;  ///< of each source vertex, subtracted from kLastPlace; 0: none
+  std::vector<std::atomic<Index>> firstUseOfSource;  ///< first use of each source vertex, subtracted from kLastPlace;
+                                                     ///< 0: none
   std::vector<SharedUses> shared;
-  UnfilledArray<Index> firstUseOf;  ///< of each vertex: the place of the point
+  UnfilledArray<Index> firstUseOf;  ///< place of the point of each vertex
 
   void noteSource(Index source, Index place) {
     std::atomic<Index>& known = firstUseOfSource[source];
@@ -162,7 +163,7 @@ MeshJoiner::SharedPoint MeshJoiner::sharedPoint(const FaceToJoin& given, Index p
   return shared;
 }
 
-// What a face's points are: source vertices, points on source edges, which faces may share, and all others.
+// Classifies a face's points: source vertices, points on source edges, which faces may share, and all others.
 void MeshJoiner::nameUses(std::size_t entry, Index first, Index last, Additions& additions,
                           std::vector<SharedUse>& shared, ExactFallbacks& fallbacks) const {
   const FaceToJoin& given = additions.faces[entry];
@@ -262,7 +263,7 @@ void MeshJoiner::forUses(const Additions& additions, std::size_t first, std::siz
   }
 }
 
-// In space, a point on a source edge lies on that edge itself: all faces that know one by this name mean the same
+// A point on a source edge lies, in space, on that edge itself: all faces that have one by this name mean the same
 // vertex.
 void MeshJoiner::findUsesOfShared(Additions& additions, RunContext& context) {
   auto& firstUse = additions.firstUse;

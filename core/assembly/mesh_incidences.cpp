@@ -1,9 +1,9 @@
-// How a MeshJoiner finds which vertices lie on which outlines.
+// The part of MeshJoiner that finds which vertices lie on which outlines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// The source geometry's own tree tells which faces are near a vertex: it is compared with their edges, or with the
+// The source geometry's own tree finds the faces near a vertex, which is compared with their edges, or with the
 // outlines of those that something cuts. Only outlines of faces that have very many are in a tree of their own. Four
-// neighbours along a curve ask together, unless too much is around them. All of this only chooses what is compared:
+// neighbours along a curve share one search, unless too much is around them. All of this only chooses what is compared:
 // boxes hold what they stand for, whatever is rounded.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_invoke.h>
@@ -113,7 +113,7 @@ void sortByMortonKey(std::vector<Index>& vertices, const UnfilledArray<FloatBox>
   for (std::size_t i = 0; i < vertices.size(); ++i) vertices[i] = static_cast<Index>(keys[i]);
 }
 
-/// How much around some vertices is not too much to look for them together.
+/// The largest number of faces around some vertices for which one search serves them together.
 std::size_t mostAround(std::span<const Index> vertices) {
   return vertices.size() == 1 ? std::numeric_limits<std::size_t>::max() : kMostAround;
 }
@@ -133,9 +133,9 @@ bool listOverlapping(const Tree& tree, const Box& box, std::size_t most, std::ve
 }  // namespace
 
 struct MeshJoiner::Search {
-  std::vector<Index> entryOf;     ///< for each face that is to be looked at its entry, or -1
-  UnfilledArray<FloatBox> boxes;  ///< of the vertices that are to be looked for
-  TriangleTree crowded;           ///< over outlines of faces that have many
+  std::vector<Index> entryOf;     ///< entry of each face to be searched, or -1
+  UnfilledArray<FloatBox> boxes;  ///< boxes of the vertices to be searched for
+  TriangleTree crowded;           ///< tree over outlines of faces that have many
   PowerOfTwo toUnits;
 
   [[nodiscard]] FloatBox boxOf(const Outline& outline) const { return whole(boxes[outline.from], boxes[outline.to]); }
@@ -166,7 +166,7 @@ struct MeshJoiner::Group {
 
   std::span<const Index> vertices;
   FloatBox around;                     ///< around all
-  std::array<Float4, 3> lower, upper;  ///< of each, by axis
+  std::array<Float4, 3> lower, upper;  ///< bounds of each box, by axis
 };
 
 struct MeshJoiner::Found {
@@ -330,8 +330,8 @@ void MeshJoiner::buildTree(const std::vector<Index>& entries, Search& search, Ru
 }
 
 void MeshJoiner::compare(Index vertex, Index number, const Outline& outline, Found& found, RunContext& context) const {
-  context.checkCancelled();  // on a wide grid one comparison can take a tenth of a millisecond
-  // Far from the middle of all vertices floats tell little.
+  context.checkCancelled();  // One comparison on a wide grid can take a tenth of a millisecond.
+  // Floats have little precision far from the middle of all vertices.
   if (!overlap(boxAround(vertices_[vertex]),
                whole(boxAround(vertices_[outline.from]), boxAround(vertices_[outline.to]))))
     return;
@@ -433,7 +433,7 @@ void MeshJoiner::findIncidences(RunContext& context) {
     for (std::size_t v = first; v < last; ++v)
       if (isSearched[v] != 0) found.vertices.push_back(static_cast<Index>(v));
     sortByMortonKey(found.vertices, search.boxes, found.keys);
-    // Where too many faces are around a group, a smaller one is tried; then groups grow again.
+    // A group with too many faces around it is made smaller; then groups grow again.
     const std::span<const Index> vertices = found.vertices;
     std::size_t size = kGroup;
     for (std::size_t done = 0; done < vertices.size();) {

@@ -45,7 +45,7 @@ int MeshJoiner::compareCoordinate(Index a, Index b, int axis, bool exactly, Exac
 }
 
 int MeshJoiner::compareAlong(const Outline& outline, Index a, Index b, ExactFallbacks& count) const {
-  // An axis along which the ends differ for certain, the longer one if doubles can tell.
+  // The axis along which the ends differ for certain, the longer one if doubles can decide.
   const MeshVertex &from = vertices_[outline.from], &to = vertices_[outline.to];
   const int longer = std::fabs(to.x - from.x) > std::fabs(to.y - from.y) ? 0 : 1;
   int axis = longer;
@@ -111,7 +111,7 @@ std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
   tbb::parallel_sort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
     return a.outline != b.outline ? a.outline < b.outline : a.vertex < b.vertex;
   });
-  std::vector<std::size_t> first;  // of each outline
+  std::vector<std::size_t> first;  // start of each outline
   for (std::size_t i = 0; i < between.size(); ++i)
     if (i == 0 || between[i].outline != between[i - 1].outline) first.push_back(i);
   std::vector<Split> splits(first.size());
@@ -136,9 +136,9 @@ std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
   return splits;
 }
 
-// What splits triangles puts so many more before each block of them.
+// Vertices that split triangles add this many triangles before each block.
 std::vector<MeshTriangle> MeshJoiner::splitTriangles(std::span<const Split> splits, RunContext& context) const {
-  std::vector<std::size_t> firstSplit;  // of each block of triangles
+  std::vector<std::size_t> firstSplit;  // start of each block of triangles
   std::vector<std::size_t> addedBefore;
   std::size_t split = 0, added = 0;
   for (std::size_t t = 0; t < triangles_.size(); t += kTrianglesPerBlock) {

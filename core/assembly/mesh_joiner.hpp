@@ -24,7 +24,7 @@ struct FloatBox;
 /// A face to be joined with others.
 struct FaceToJoin {
   Index face = -1;
-  std::uint8_t obstacleEdges = 0;   ///< of a face that nothing cuts
+  std::uint8_t obstacleEdges = 0;   ///< obstacle edges of a face that nothing cuts
   const FaceMesh* parts = nullptr;  ///< its walkable parts; null: nothing cuts it
 };
 
@@ -47,7 +47,7 @@ class MeshJoiner {
   /// Joins everything that was added. To be called once.
   WalkableMesh join(RunContext& context);
 
-  /// Which vertices lie on which outlines, for reuse().
+  /// The vertices on each outline, for reuse().
   JoinMemory takeMemory();
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
@@ -64,7 +64,7 @@ class MeshJoiner {
   };
   using Incidence = JoinMemory::Incidence;
   enum class Relation { Apart, AtStart, Between, AtEnd };
-  /// Where vertices are looked for.
+  /// The data with which vertices are looked up.
   struct Search;
   /// New vertices on one edge of a triangle, in its direction.
   struct Split {
@@ -99,9 +99,9 @@ class MeshJoiner {
   void copyEarlier();
   /// The entries of faces that may meet a changed one; all of them when nothing is reused.
   [[nodiscard]] std::vector<Index> entriesToSearch() const;
-  /// Whether nothing cuts the face of an entry.
+  /// True when nothing cuts the face of an entry.
   [[nodiscard]] bool isWhole(Index entry) const;
-  /// Whether what a vertex lies on was copied, as far as it did not change.
+  /// True when the unchanged part of a vertex's incidences was copied.
   [[nodiscard]] bool isKnown(Index vertex) const;
   /// An outline by its number, or that of an edge of a whole face.
   [[nodiscard]] Outline outlineOf(Index number) const;
@@ -110,7 +110,7 @@ class MeshJoiner {
   void fillBoxes(const std::vector<char>& isSearched, Search& search, RunContext& context) const;
   void buildTree(const std::vector<Index>& entries, Search& search, RunContext& context) const;
   void findIncidences(RunContext& context);
-  /// What one thread finds.
+  /// The incidences that one thread finds.
   struct Found;
   /// Vertices that lie near each other.
   struct Group;
@@ -124,13 +124,13 @@ class MeshJoiner {
   void uniteVertices(RunContext& context);
   /// The vertex that stands for all at its place.
   [[nodiscard]] Index firstAt(Index vertex) const { return sameAs_.empty() ? vertex : sameAs_[vertex]; }
-  /// What lies on outlines, by triangle and edge.
+  /// The vertices on outlines, by triangle and edge.
   [[nodiscard]] std::vector<Split> findSplits(RunContext& context);
   [[nodiscard]] std::vector<MeshTriangle> splitTriangles(std::span<const Split> splits, RunContext& context) const;
   WalkableMesh assemble(std::span<const Split> splits, RunContext& context);
-  /// Whether a vertex is certainly not on the line through two others, by their rounded coordinates.
+  /// True when a vertex is certainly not on the line through two others, by their rounded coordinates.
   [[nodiscard]] bool isFar(Index vertex, Index from, Index to) const;
-  /// Where a vertex is on an outline from which it is not isFar().
+  /// The position of a vertex on an outline from which it is not isFar().
   Relation relate(Index vertex, const Outline& outline, ExactFallbacks& count) const;
   [[nodiscard]] bool liesOnSourceEdge(const MeshVertex& vertex, const std::pair<Index, Index>& edge) const;
   /// Compares x (axis 0) or y (axis 1); 0 may also mean "too close for doubles" unless `exactly`.
@@ -143,8 +143,8 @@ class MeshJoiner {
   UnfilledArray<MeshVertex> vertices_;
   UnfilledArray<MeshTriangle> triangles_;
   UnfilledArray<Outline> outlines_;
-  std::vector<Index> firstTriangle_;  ///< for each entry, and one more with the end
-  std::vector<Index> sameAs_;         ///< for each vertex the first one at its place; empty: itself
+  std::vector<Index> firstTriangle_;  ///< first triangle of each entry, and the end
+  std::vector<Index> sameAs_;         ///< first vertex at the same place, of each vertex; empty: itself
   JoinMemory memory_;
   const EarlierResult* earlier_ = nullptr;
   std::vector<Index> changed_;

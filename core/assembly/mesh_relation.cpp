@@ -8,7 +8,7 @@ namespace {
 
 /// The triangles of each face, in their order.
 struct TrianglesOfFaces {
-  std::vector<Index> first;  ///< for each face, and one more
+  std::vector<Index> first;  ///< start of each face, and the end
   std::vector<Index> triangles;
 
   TrianglesOfFaces(const WalkableMesh& mesh, std::size_t faceCount) : first(faceCount + 1, 0) {
@@ -38,7 +38,7 @@ MeshRelation relateMeshes(const EarlierResult& earlier, const WalkableMesh& befo
   };
   const std::size_t facesBefore = earlier.state().walkable.size();
   const TrianglesOfFaces ofBefore(before, facesBefore);
-  // How many triangles of each earlier face have been compared: they come in the same order.
+  // The number of triangles of each earlier face that have been compared: they come in the same order.
   std::vector<Index> next(ofBefore.first.begin(), ofBefore.first.end() - 1);
   for (std::size_t t = 0; t < now.triangles.size(); ++t) {
     const MeshTriangle& triangle = now.triangles[t];

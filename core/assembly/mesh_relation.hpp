@@ -1,4 +1,4 @@
-// Which triangles of a walkable mesh are those of an earlier one?
+// Finds the triangles of a walkable mesh that are those of an earlier one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,11 +12,11 @@ namespace footfall::detail {
 /// of the same sources, with the same rounded coordinates. Vertices correspond one to one. Whatever follows from such
 /// triangles alone is what it was.
 struct MeshRelation {
-  std::vector<Index> triangleBefore;  ///< for each triangle its number in the earlier mesh, or -1; each at most once
+  std::vector<Index> triangleBefore;  ///< number of each triangle in the earlier mesh, or -1; each at most once
   std::size_t triangleCountBefore = 0;
-  Index related = 0;                ///< how many triangles have a number
-  std::vector<Index> vertexBefore;  ///< for each vertex that a related triangle has; others may have -1
-  std::vector<Index> vertexNow;     ///< for each vertex of the earlier mesh its number now; or -1
+  Index related = 0;                ///< number of related triangles
+  std::vector<Index> vertexBefore;  ///< the same for each vertex of a related triangle; others may have -1
+  std::vector<Index> vertexNow;     ///< number now of each vertex of the earlier mesh, or -1
 };
 
 /// `before` is the mesh of a state that `earlier` relates to `now`'s. Triangles of a face are compared in their order;

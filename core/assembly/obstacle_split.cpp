@@ -68,7 +68,7 @@ SplitMesh splitAtObstacleEdges(const std::vector<MeshTriangle>& triangles, const
   }
 
   poll();
-  std::vector<Index> copies(any ? triangles.size() * 3 : 0, -1);  // for the first corner of each set
+  std::vector<Index> copies(any ? triangles.size() * 3 : 0, -1);  // a copy for the first corner of each set
   std::vector<Index> whole(vertexCount, -1);
   const auto newVertex = [&](Index origin, std::array<Index, 2> middle) {
     result.vertices.push_back({origin, middle});

@@ -12,7 +12,7 @@ namespace footfall::detail {
 
 struct SplitVertex {
   Index origin = -1;                    ///< the vertex of the mesh that it is a copy of, or -1 in the middle of an edge
-  std::array<Index, 2> middle{-1, -1};  ///< in the middle of an edge: the edge's ends, as vertices of the mesh
+  std::array<Index, 2> middle{-1, -1};  ///< ends of the edge, as vertices of the mesh, for the vertex in its middle
 };
 /// The triangles have obstacle flags only where walkable area lies on both sides.
 using SplitMesh = TriangleMesh<SplitVertex>;

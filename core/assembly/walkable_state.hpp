@@ -22,15 +22,15 @@ struct StepMemory;        // core/filters/steps/step_memory.hpp
 struct WalkableState {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const PlanKernel> kernel;
-  /// For each source triangle: it takes part as a floor (its cuts say which part of it).
+  /// One flag per source triangle: it takes part as a floor (its cuts give the part).
   std::vector<char> walkable;
-  /// For each source triangle: taken out of the environment altogether (DegeneracyFilter).
+  /// One flag per source triangle: DegeneracyFilter took it out of the environment.
   std::vector<char> removed;
-  /// For each source triangle, or empty before the first clearance filter.
+  /// One entry per source triangle; empty before the first clearance filter.
   std::shared_ptr<const CutTable> cuts;
-  /// The largest height that a clearance filter asked for, or one that stands for it; 0 before the first.
+  /// The largest height of the clearance filters so far, or one that stands for it; 0 before the first.
   double clearance = 0;
-  /// The largest clearance exactly as it was asked for.
+  /// The largest clearance, exactly as it was given.
   double agentHeight = 0;
   /// The largest step that a StepFilter allowed; 0 before the first.
   double step = 0;
@@ -43,9 +43,9 @@ struct WalkableState {
   bool simplified = false;
   /// Pieces of regions that filters took away since the cuts were made: obstacles still, but no floor any more.
   std::shared_ptr<const WalkableMesh> dropped;
-  /// How the last clearance filter made its mesh, which later runs reuse; null unless the run was asked to keep it.
+  /// The data from which the last clearance filter made its mesh, which later runs reuse; null unless the run keeps it.
   std::shared_ptr<const AssemblyMemory> memory;
-  /// What the last SimplificationFilter was made of, which later runs reuse; or null.
+  /// The data from which the last SimplificationFilter made its mesh, which later runs reuse; or null.
   std::shared_ptr<const SimplifierMemory> simplifierMemory;
   /// The same of the last StepFilter.
   std::shared_ptr<const StepMemory> stepMemory;

@@ -1,4 +1,4 @@
-// How a run that several processes share divides the cells of its parallel blocks.
+// The interface by which a run that several processes share divides the cells of its parallel blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,9 +17,9 @@ namespace footfall::detail {
 
 /// One pass of a clearance filter over the cells of a block.
 struct CellPhase {
-  std::size_t number = 0;     ///< among all such passes of the run
-  std::size_t count = 1;      ///< of all such passes of the run
-  Digest::Value key{};        ///< of all that its shares depend on
+  std::size_t number = 0;     ///< number among all such passes of the run
+  std::size_t count = 1;      ///< number of all such passes of the run
+  Digest::Value key{};        ///< digest of all that its shares depend on
   std::vector<double> costs;  ///< estimated, of each cell
   double nowMs = 0;           ///< since the run of this process began
   /// Throws BadBytes where the bytes are no share of that cell. Called by any thread, during begin() only.
@@ -34,24 +34,24 @@ struct ArrivedShare {
   Index cell = -1;
   std::string bytes;      ///< encodeCellShare()
   bool hasTimes = false;  ///< its times are of this run
-  double shiftMs = 0;     ///< to be added to them
-  int firstThread = 0;    ///< to be added to its numbers of threads
+  double shiftMs = 0;     ///< added to its times
+  int firstThread = 0;    ///< added to its numbers of threads
 };
 
-/// Who runs which cell, and the way of their shares. All processes prepare and partition alike; between two passes each
-/// of them needs all shares, behind the last one only the process that goes on. give(), take() and ownFinished() are
-/// called by any thread.
+/// Assigns cells to processes and carries their shares. All processes prepare and partition alike; between two passes
+/// each of them needs all shares, behind the last one only the process that goes on. give(), take() and ownFinished()
+/// are called by any thread.
 class CellExchange {
  public:
   virtual ~CellExchange() = default;
 
-  /// For each cell whether this process is to run it; the others' shares come by take(). May wait for other processes.
+  /// One flag per cell: this process runs it; the shares of the others come by take(). May wait for other processes.
   /// Throws RunError when they do not work on the same, Cancelled.
   virtual std::vector<char> begin(const CellPhase& phase, RunContext& context) = 0;
-  /// Whether this process needs the shares of all cells of the pass that began last; before the first one, whether it
-  /// is the one that goes on.
+  /// True when this process needs the shares of all cells of the pass that began last; before the first one, true when
+  /// it is the process that goes on.
   [[nodiscard]] virtual bool merges() const = 0;
-  /// Whether the shares of its own cells are to be given.
+  /// True when the shares of its own cells are to be passed to give().
   [[nodiscard]] virtual bool wantsOwn() const = 0;
   virtual void give(Index cell, std::string bytes) = 0;
   /// A share that arrived, if there is one. Throws RunError when another process failed.
@@ -60,7 +60,7 @@ class CellExchange {
   virtual void ownFinished() = 0;
   /// Throws RunError when another process failed.
   virtual void throwFailure() const = 0;
-  /// Of all processes together; the first ones are those of the process that goes on.
+  /// Threads of all processes together; the first ones are those of the process that goes on.
   [[nodiscard]] virtual int threads() const = 0;
 };
 

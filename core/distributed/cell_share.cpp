@@ -78,7 +78,7 @@ class ShareWriter {
     out_.signedNumber(segment.winding);
   }
 
-  // What cuts and parts of them have in common.
+  // The members that cuts and their parts have in common.
   template <class Cuts>
   void common(const Cuts& cuts) {
     flags(cuts.removed, cuts.dependsOnFloors, cuts.edgeWalls);
@@ -285,7 +285,7 @@ class ShareReader {
     mesh->approximate.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
       mesh->points[i] = point();
-      // Of tiny and of huge environments these can be infinite: bounds that decide nothing.
+      // These bounds can be infinite in tiny and in huge environments; then they decide nothing.
       ApproximatePoint& place = mesh->approximate[i];
       place.x = in_.real();
       place.y = in_.real();

@@ -1,4 +1,4 @@
-// What a process found for one cell, as bytes: which lines of which triangles cut which floor, and the triangles of
+// The result of a process for one cell, as bytes: which lines of which triangles cut which floor, and the triangles of
 // what is left, by provenance. No coordinate is computed, and no large number is written (thesis 4.2 had to send graphs
 // of expressions).
 // SPDX-License-Identifier: GPL-3.0-or-later
@@ -20,7 +20,7 @@ namespace footfall::detail {
 struct FaceResult {
   Index face = -1;
   std::shared_ptr<const FaceCuts> cuts;  ///< never null
-  std::shared_ptr<const FaceMesh> mesh;  ///< of the cuts, where they have segments and leave anything
+  std::shared_ptr<const FaceMesh> mesh;  ///< mesh of the cuts that have segments and leave anything
 };
 
 /// The part of a floor that cells share.
@@ -32,7 +32,7 @@ struct FacePart {
 /// Milliseconds since the run of the process began.
 struct ShareTimes {
   struct Span {
-    std::size_t filter = 0;  ///< of the pass
+    std::size_t filter = 0;  ///< number of the filter in the pass
     int thread = 0;
     double startMs = 0, endMs = 0;
   };
@@ -48,18 +48,18 @@ struct CellShare {
   ShareTimes times;
 };
 
-/// What the numbers in a share are numbers of.
+/// The ranges of the numbers in a share.
 struct ShareRange {
-  Index vertices = 0;   ///< of the source
-  Index triangles = 0;  ///< of the source
+  Index vertices = 0;   ///< vertices of the source
+  Index triangles = 0;  ///< triangles of the source
   Index levels = 0;     ///< heights of the kernel
   std::size_t filters = 0;
 };
 
 /// The format is that of kShareVersion (share_file.hpp).
 std::string encodeCellShare(const CellShare& share);
-/// Every number is checked: whatever the bytes are, a share that can be worked with or BadBytes. Whether a point is
-/// where the geometry wants it, nobody can see from here.
+/// Checks every number: any bytes give a usable share or BadBytes. The position of points relative to the geometry is
+/// not checked.
 CellShare decodeCellShare(std::string_view bytes, const ShareRange& range);
 
 /// The cuts of one floor, as in a share.

@@ -20,7 +20,8 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 
 constexpr auto kPause = 5ms;
-// Between two looks into the folder: some of the time that the last one took, for the sake of big and of far folders.
+// The pause between two looks into the folder is a part of the time that the last one took, because of large and of
+// remote folders.
 constexpr double kLookMs = 5;
 constexpr double kMostLookMs = 1000;
 constexpr double kPausesOfLook = 10;
@@ -30,7 +31,7 @@ constexpr double kRemoveMs = 2000;       // processes that are ending may still 
 /// Ends processes that nobody waits for any more.
 struct AllArrived : std::exception {};
 
-// A folder of a network may go on telling that a file is not there, until somebody lists the folder.
+// A network folder may report a file as missing until the folder is listed.
 void listFolder(const fs::path& folder) {
   std::error_code error;
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;) entry.increment(error);
@@ -39,7 +40,7 @@ void listFolder(const fs::path& folder) {
 void removeAll(const fs::path& folder) {
   std::error_code error;
   for (const Stopwatch watch; fs::remove_all(folder, error) == static_cast<std::uintmax_t>(-1) || error;) {
-    if (watch.wallMs() > kRemoveMs) return;  // what is left takes room and does no harm
+    if (watch.wallMs() > kRemoveMs) return;  // The remainder takes room and does no harm.
     std::this_thread::sleep_for(kPause);
   }
 }
@@ -70,7 +71,7 @@ void FolderExchange::start() {
       };
       problem = options_.work(options_.folder, poll);
     } catch (const AllArrived&) {
-      // That is no failure.
+      // This is no failure.
     } catch (const InputError& failed) {
       problem = failed.text();
     } catch (const RunError& failed) {
@@ -132,7 +133,7 @@ std::vector<char> FolderExchange::begin(const CellPhase& phase, RunContext& cont
   phase_ = phase;
   phase_.check = nullptr;
   beganMs_ = systemMs() - phase.nowMs;
-  left_ = phase.costs.size();  // before somebody may ask whether all have arrived
+  left_ = phase.costs.size();  // Set before the arrival of all shares can be checked.
   if (!worker_.joinable()) {
     start();
     awaitRanks(lock, context);

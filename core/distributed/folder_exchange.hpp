@@ -24,19 +24,19 @@ namespace footfall::detail {
 class FolderExchange : public CellExchange {
  public:
   struct Options {
-    /// Which the processes see, too. It is made here, but not those above it, and removed in the end with what is in
-    /// it.
+    /// The folder that all processes see. It is made here (its parents are not) and removed with its content at the
+    /// end.
     std::string folder;
-    int threads = 1;  ///< of this process
+    int threads = 1;  ///< threads of this process
     /// Starts the processes, waits for their end, and returns what went wrong; empty: nothing. Called by a thread of
-    /// its own. `poll` is to be called every now and then; it throws when the run is over, which ends the processes:
-    /// Cancelled where their results are not wanted, another std::exception where all have arrived.
+    /// its own. It must call `poll` regularly; `poll` throws when the run is over, which ends the processes: Cancelled
+    /// where their results are not wanted, another std::exception where all have arrived.
     std::function<Text(const std::string& folder, Poll poll)> work;
     /// Called by begin() when it is known how many threads each process has (threadsOfRanks()).
     std::function<void(const std::vector<int>&)> ranksKnown = [](const std::vector<int>&) {};
-    /// How long shares may be under way when their process has ended: folders of a network are slow.
+    /// The longest time that shares may be under way after their process has ended: network folders are slow.
     double patienceMs = 10000;
-    /// How long it may take from the written job until its processes have begun (sayBegun()); 0: as long as it takes.
+    /// The longest time from the written job until its processes have begun (sayBegun()); 0: no limit.
     double startMs = 0;
   };
   explicit FolderExchange(Options options);
@@ -54,7 +54,7 @@ class FolderExchange : public CellExchange {
   void throwFailure() const override;
   [[nodiscard]] int threads() const override;
 
-  /// How many threads each process has, by rank; empty while no cells were to be run. In reports they are numbered
+  /// The number of threads of each process, by rank; empty while no cells were to be run. In reports they are numbered
   /// behind those of this process.
   [[nodiscard]] std::vector<int> threadsOfRanks() const;
 
@@ -63,23 +63,23 @@ class FolderExchange : public CellExchange {
   void checkFailed() const;
   void awaitRanks(std::unique_lock<std::mutex>& lock, RunContext& context);
   void look();
-  /// When to look into the folder again (of clock_) that it took since `begunMs` to look into.
+  /// The time (by clock_) of the next look into the folder, given that the last one began at `begunMs`.
   [[nodiscard]] double nextLook(double begunMs, double atLeastMs) const;
 
   Options options_;
   std::optional<WorkFolder> folder_;
   CellPhase phase_;
-  double beganMs_ = 0;  ///< of this run, by the system's clock
+  double beganMs_ = 0;  ///< start of this run by the system's clock
 
-  mutable std::mutex mutex_;  ///< of all that follows
+  mutable std::mutex mutex_;  ///< guards all that follows
   std::condition_variable changed_;
   std::vector<JobRank> ranks_;
-  std::vector<int> rankOf_;    ///< of each cell of the pass
+  std::vector<int> rankOf_;    ///< rank of each cell of the pass
   std::vector<char> hasCome_;  ///< likewise
   std::size_t left_ = 0;       ///< cells of the pass that did not come
   std::set<Index> seen_;       ///< cells whose file is there, to be read
-  double nextLookMs_ = 0;      ///< of clock_: not before
-  double endedMs_ = -1;        ///< of clock_, when all processes had ended
+  double nextLookMs_ = 0;      ///< earliest next look, by clock_
+  double endedMs_ = -1;        ///< time by clock_ at which all processes had ended
   Text failure_;
   bool isStopping_ = false;
   const Stopwatch clock_;

@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// What RankGroup does, on one rank. The owner carries the messages, and calls one function at a time.
+/// The work of RankGroup on one rank. The owner carries the messages, and calls one function at a time.
 class GroupMail {
  public:
   using Post = std::function<void(int to, std::string bytes)>;
@@ -34,7 +34,7 @@ class GroupMail {
 
  private:
   enum class Kind : char { Words, Ask, Task };
-  /// A rank wants a task of a round, which rank 0 may not have begun.
+  /// A request for a task of a round, which rank 0 may not have begun.
   struct Ask {
     int rank = 0;
     std::uint64_t round = 0;
@@ -44,11 +44,11 @@ class GroupMail {
 
   int rank_, size_;
   Post post_;
-  std::vector<std::deque<std::string>> words_;  ///< of each rank
+  std::vector<std::deque<std::string>> words_;  ///< words of each rank
   std::deque<Ask> asks_;
-  std::deque<std::optional<std::size_t>> dealt_;  ///< to this rank
+  std::deque<std::optional<std::size_t>> dealt_;  ///< tasks dealt to this rank
   std::uint64_t round_ = 0;
-  /// For each rank a stretch of the round's tasks that nobody has; of rank 0.
+  /// On rank 0: one stretch of the round's unassigned tasks per rank.
   std::vector<std::pair<std::size_t, std::size_t>> stretches_;
 };
 

@@ -14,9 +14,9 @@
 
 namespace footfall::detail {
 
-/// What is left of a state when its coordinates are rounded.
+/// A state after its coordinates are rounded.
 struct RoundedState {
-  TriangleSoup triangles;     ///< of the walkable mesh
+  TriangleSoup triangles;     ///< triangles of the walkable mesh
   std::uint64_t inexact = 0;  ///< vertices that lost something by rounding
 };
 

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What kind of file it is stands where shares have their cell.
+// The kind of file takes the place of a share's cell.
 constexpr ShareName kJob{{}, 0, 1}, kRanks{{}, 0, 2};
 
 std::string pathOf(const std::string& folder, const char* name) { return (fs::path(folder) / name).string(); }

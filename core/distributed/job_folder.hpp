@@ -24,7 +24,7 @@ Job readJob(const std::string& folder);
 /// One process of those that run a job.
 struct JobRank {
   int threads = 1;
-  double beganMs = 0;  ///< when its run began: systemMs()
+  double beganMs = 0;  ///< start of its run: systemMs()
 };
 
 /// All processes of the job have been started, whatever they have to read now. Leaves folders that are not there alone,

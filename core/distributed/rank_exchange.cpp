@@ -14,7 +14,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// How often the exchange's thread looks for messages: while some are under way, and else.
+// The pauses between two looks for messages: while some are under way, and otherwise.
 constexpr auto kBusyPause = 50us;
 constexpr auto kIdlePause = 1ms;
 
@@ -73,7 +73,7 @@ void RankExchange::pump() {
   }
 }
 
-// Whoever works hears of it at once, not only where it waits for other ranks.
+// Working threads are cancelled at once, not only threads that wait for other ranks.
 void RankExchange::failHere(Failure failure) {
   {
     const std::lock_guard lock(mutex_);
@@ -314,7 +314,7 @@ std::vector<char> RankExchange::begin(const CellPhase& phase, RunContext& contex
   std::unique_lock lock(mutex_);
   const double before = clock_.wallMs();
   phase_ = phase;
-  phase_.check = nullptr;  // which is for this call
+  phase_.check = nullptr;  // Its check belongs to this call.
   keys_.push_back(phase.key);
   if (ranks_.empty()) greet(phase);
   const Plan plan = rank_ == 0 ? makePlan(lock, phase, context) : awaitPlan(lock, phase, context);
@@ -377,7 +377,7 @@ std::optional<ArrivedShare> RankExchange::take() {
   }
   lock.unlock();
   arrived.bytes = std::move(share.sealed);
-  arrived.bytes.erase(0, kShareHead);  // which was checked when it came
+  arrived.bytes.erase(0, kShareHead);  // The head was checked on arrival.
   return arrived;
 }
 
@@ -436,7 +436,7 @@ std::optional<std::size_t> RankExchange::nextTask(RunContext& context) {
 }
 
 void RankExchange::end(RunContext& context) {
-  // Before the others are told: they do not wait long for a rank that says nothing.
+  // Removed before the others are notified: they do not wait long for a silent rank.
   if (rank_ == 0 && folder_ && !options_.leavesShares)
     for (const Digest::Value& key : keys_) folder_->remove(key);
   {
@@ -461,7 +461,7 @@ void RankExchange::fail(const std::string& problem, RankFailure kind) noexcept {
         post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(kind)} + problem);
     }
   } catch (const std::exception&) {
-    // Without memory for a message the others hear of it when this rank says nothing more.
+    // When there is no memory for a message, the others find out because this rank falls silent.
   }
   close();
 }
@@ -471,7 +471,7 @@ void RankExchange::close() noexcept {
     const std::lock_guard lock(mutex_);
     if (!std::exchange(isClosing_, true)) postToOthers(std::string(1, static_cast<char>(Kind::Bye)));
   } catch (const std::exception&) {
-    // As above.
+    // As above: no memory for a message.
   }
   if (pump_.joinable()) pump_.join();
 }

@@ -24,7 +24,7 @@
 
 namespace footfall::detail {
 
-/// What carries messages. All functions are called by one thread, and return at once.
+/// The interface that carries messages. All functions are called by one thread, and return at once.
 class Transport {
  public:
   struct Message {
@@ -38,7 +38,7 @@ class Transport {
   /// Messages between two ranks arrive in their order.
   virtual void send(int to, std::string bytes) = 0;
   virtual std::optional<Message> receive() = 0;
-  /// Whether everything was sent.
+  /// True when everything was sent.
   virtual bool isIdle() = 0;
 };
 
@@ -46,13 +46,13 @@ class Transport {
 class RankExchange : public CellExchange, public RankGroup {
  public:
   struct Options {
-    int threads = 1;         ///< of this rank
+    int threads = 1;         ///< threads of this rank
     double startUpMs = 0;    ///< see RankStatistics
     std::string workFolder;  ///< empty: none
     /// The shares stay in the work folder for another process, which has made it and goes on (FolderExchange); no rank
     /// does.
     bool leavesShares = false;
-    /// How long a rank that ends waits for the good-bye of the others, before isCutOff().
+    /// The longest time that an ending rank waits for the good-bye of the others, before isCutOff().
     double patienceMs = 10000;
     /// Told what the user should know; called by any thread.
     std::function<void(const Text&)> note = [](const Text&) {};
@@ -85,20 +85,21 @@ class RankExchange : public CellExchange, public RankGroup {
   void beginTasks(std::size_t count) override;
   std::optional<std::size_t> nextTask(RunContext& context) override;
 
-  /// What all ranks did, by rank. Rank 0 waits for them; others have their own only, and tell rank 0.
+  /// The statistics of all ranks, by rank. Rank 0 waits for them; other ranks return their own only and send them to
+  /// rank 0.
   std::vector<RankStatistics> collect(RunContext& context);
   /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits until rank 0 says so. Throws
   /// RunError or Cancelled.
   void end(RunContext& context);
-  /// Ends the run for all ranks: with `problem`, which rank 0 tells, or because it was cancelled.
+  /// Ends the run for all ranks: with `problem`, which rank 0 reports, or because it was cancelled.
   void fail(const std::string& problem, RankFailure kind = RankFailure::Run) noexcept;
-  /// True when another rank ended the run, which then has nothing to tell.
+  /// True when another rank ended the run; this rank then reports nothing.
   [[nodiscard]] bool wasStopped() const;
-  /// Which rank failed first, and why; none while none has.
+  /// The rank that failed first, and the reason; none while none has failed.
   [[nodiscard]] std::optional<std::string> failure() const;
-  /// Whether it failed because what it was given is wrong.
+  /// True when it failed because of wrong input.
   [[nodiscard]] bool failedByInput() const;
-  /// Behind end() or fail(): another rank did not answer any more.
+  /// After end() or fail(): true when another rank stopped answering.
   [[nodiscard]] bool isCutOff() const;
 
  private:
@@ -142,13 +143,13 @@ class RankExchange : public CellExchange, public RankGroup {
   std::optional<WorkFolder> folder_;
   CellPhase phase_;
   std::vector<Hello> ranks_;
-  std::vector<Digest::Value> keys_;  ///< of all passes so far
+  std::vector<Digest::Value> keys_;  ///< keys of all passes so far
   const Stopwatch clock_;
 
-  mutable std::mutex mutex_;  ///< of all that follows
+  mutable std::mutex mutex_;  ///< guards all that follows
   RankStatistics own_;
-  double phaseMs_ = 0, finishedMs_ = 0;  ///< of clock_: when the pass began, and when the own cells were done
-  std::size_t cellsExpected_ = 0;        ///< of others, that did not come yet
+  double phaseMs_ = 0, finishedMs_ = 0;  ///< times by clock_ at which the pass began and the own cells were done
+  std::size_t cellsExpected_ = 0;        ///< cells of other ranks that have not arrived
   std::condition_variable changed_;
   std::deque<std::pair<int, std::string>> outgoing_;
   std::vector<std::optional<Hello>> hellos_;

@@ -1,4 +1,4 @@
-// What processes that share one run say to each other, whatever the run is.
+// The messages between processes that share one run, whatever the run is.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -29,7 +29,7 @@ class RankGroup {
   [[nodiscard]] virtual int rank() const = 0;
   [[nodiscard]] virtual int size() const = 0;
   [[nodiscard]] bool isFirst() const { return rank() == 0; }
-  /// Whether another rank has failed, and was not cancelled; on rank 0.
+  /// True on rank 0 when another rank has failed and was not cancelled.
   [[nodiscard]] virtual bool hasFailed() const { return false; }
 
   /// Rank 0 returns what all gave, by rank; others return nothing, at once.
@@ -62,7 +62,7 @@ class OneRank : public RankGroup {
   std::size_t next_ = 0, count_ = 0;
 };
 
-/// What a rank says that finds that it was not given what rank 0 was given.
+/// The message of a rank whose input differs from that of rank 0.
 inline Text differsFromFirst() {
   return Text(
       FOOTFALL_TEXT("this rank works on something else than rank 0: another file of the environment, another "

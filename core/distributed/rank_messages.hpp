@@ -1,4 +1,4 @@
-// What ranks tell each other about themselves and about passes over cells, as bytes.
+// The messages of ranks about themselves and about passes over cells, as bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,25 +11,25 @@
 
 namespace footfall::detail {
 
-/// What one rank did, in milliseconds of wall time.
+/// The figures of one rank, in milliseconds of wall time.
 struct RankStatistics {
   int threads = 1;
-  std::uint64_t cells = 0;      ///< that it ran
+  std::uint64_t cells = 0;      ///< cells that it ran
   std::uint64_t bytesSent = 0;  ///< shares, to all other ranks
-  double startUpMs = 0;         ///< before anything was read
+  double startUpMs = 0;         ///< time before anything was read
   double readingMs = 0;
-  double runningMs = 0;        ///< of its cells
-  double waitingMs = 0;        ///< for others: before cells are divided, and for shares when its own cells are done
-  double communicationMs = 0;  ///< in which messages were sent or received, while cells ran or not
+  double runningMs = 0;        ///< time for its cells
+  double waitingMs = 0;        ///< waiting for others: before cells are divided, and for shares after its own cells
+  double communicationMs = 0;  ///< time in which messages were sent or received, while cells ran or not
 };
 
-/// What a rank says before the first cells are divided.
+/// The message of a rank before the first cells are divided.
 struct RankHello {
   int threads = 1;
-  double beganMs = 0;  ///< by the system's clock
+  double beganMs = 0;  ///< start by the system's clock
 };
 
-/// What rank 0 says before each pass over the cells.
+/// The message of rank 0 before each pass over the cells.
 struct RankPlan {
   std::uint64_t phase = 0, phases = 0;  ///< CellPhase::number and count
   Digest::Value key{};

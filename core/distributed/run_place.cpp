@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kOurs = "footfall-mpi: ";
-constexpr std::chrono::milliseconds kEndPause{200};  // between two looks into Slurm's queue
+constexpr std::chrono::milliseconds kEndPause{200};  // pause between two looks into Slurm's queue
 constexpr int kNoProgram = 127, kTookTooLong = 124;
 
 bool isProgram(const fs::path& path) {
@@ -42,7 +42,7 @@ bool canBeFound(const std::string& program) {
   return false;
 }
 
-// For a shell.
+// Quotes a word for a shell.
 std::string quoted(const std::string& word) {
   std::string result = "'";
   for (const char c : word) {
@@ -59,8 +59,8 @@ std::string nameOf(const std::string& job) { return fs::path(job).filename().str
 
 std::string outputOf(const std::string& job) { return (fs::path(job) / "output.txt").string(); }
 
-// srun where Slurm can start MPI's processes itself, else mpirun, which asks it for the machines. One process a
-// machine, with all threads of it.
+// srun if Slurm can start MPI's processes itself, else mpirun, which gets the machines from Slurm. Each machine runs
+// one process with all its threads.
 std::string scriptOf(const std::string& job, const RunPrograms& programs) {
   const std::string cells = quoted(programs.footfallMpi) + " cells " + quoted(job);
   return "threads=${SLURM_CPUS_ON_NODE:-1}\n"
@@ -74,7 +74,7 @@ using Lines = std::vector<std::string>;
 
 bool isText(const std::string& line) { return line.find_first_not_of("-*= ") != std::string::npos; }
 
-// How Open MPI begins and ends what it has to say.
+// The lines with which Open MPI begins and ends a message.
 bool isDashes(const std::string& line) { return line.size() >= 20 && line.find_first_not_of('-') == std::string::npos; }
 
 // Its lines as one.
@@ -87,7 +87,7 @@ std::string paragraphAt(Lines::const_iterator line, Lines::const_iterator end) {
   return text;
 }
 
-/// A program that takes longer than that is ended, and so is who asks.
+/// Thrown for a program that takes too long; it is ended.
 struct TookTooLong {};
 
 ChildResult runWithin(double ms, const std::vector<std::string>& command) {
@@ -133,7 +133,7 @@ RunPrograms findPrograms(const std::string& folder) {
     programs.footfallMpi = beside.string();
   if (const char* given = std::getenv("FOOTFALL_MPIRUN"); given != nullptr && *given != '\0')
     programs.mpirun = given;
-  else if (canBeFound("mpirun.openmpi"))  // where several MPIs are installed
+  else if (canBeFound("mpirun.openmpi"))  // used if several MPIs are installed
     programs.mpirun = "mpirun.openmpi";
   return programs;
 }
@@ -172,9 +172,9 @@ std::vector<std::string> commandOf(const std::string& job, const RunPlace& place
   command = {programs.mpirun, "--bind-to", "none", "-n", count};
   if (::geteuid() == 0) add(command, {"--allow-run-as-root"});
   if (place.kind == RunPlace::Kind::Hosts)
-    // A machine after the other, also without slots= in the file. Nobody is there whom ssh could ask.
+    // Fills one machine after the other, even without slots= in the file. Nobody is there to answer a prompt of ssh.
     add(command, {"--hostfile", place.hostFile, "--map-by", "node", "--mca", "plm_rsh_args", "-o BatchMode=yes"});
-  else  // without a network, and where one process may not read another's memory
+  else  // Needed without a network, and where one process may not read another's memory.
     add(command, {"--oversubscribe", "--host", "localhost:" + count, "--mca", "plm", "isolated", "--mca", "btl",
                   "self,vader", "--mca", "btl_vader_single_copy_mechanism", "none", "--mca", "pml", "ob1"});
   add(command, {programs.footfallMpi, "cells", job});
@@ -220,7 +220,7 @@ Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& pr
       if (const auto output = contentOf(outputOf(job)); output && !problemIn(*output).empty())
         told = problemIn(*output);
     } catch (const BadBytes&) {
-      // What sbatch itself said is all that is known.
+      // The words of sbatch are all that is known.
     }
   }
   if (told.empty()) return Text(FOOTFALL_TEXT("%1 ended with exit code %2"), command[0], result.status);

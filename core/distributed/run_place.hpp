@@ -1,4 +1,4 @@
-// Where a run's cells are run: by this process, by several here, on machines of a list, or by Slurm.
+// The places where a run's cells can run: this process, several here, machines of a list, or Slurm.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,21 +11,21 @@
 
 namespace footfall::detail {
 
-/// What can be asked for, of any kind.
+/// The largest number of processes, for any kind.
 inline constexpr int kMostProcesses = 1024;
 
 struct RunPlace {
   enum class Kind : std::uint8_t {
     ThisProcess,
     Processes,  ///< several on this machine
-    Hosts,      ///< of a host file, by mpirun
-    Slurm       ///< of a partition, by sbatch
+    Hosts,      ///< machines of a host file, by mpirun
+    Slurm       ///< machines of a partition, by sbatch
   };
   Kind kind = Kind::ThisProcess;
-  int processes = 2;      ///< of Slurm: machines, with a process each
-  std::string hostFile;   ///< of Hosts: a machine a line, as mpirun takes it
-  std::string partition;  ///< of Slurm; empty: Slurm's usual one
-  std::string folder;     ///< of Hosts and Slurm: one that all machines see under this name
+  int processes = 2;      ///< number of processes; for Slurm, of machines with a process each
+  std::string hostFile;   ///< for Hosts: file with a machine a line, as mpirun takes it
+  std::string partition;  ///< Slurm's partition; empty: its usual one
+  std::string folder;     ///< Hosts and Slurm: a folder that all machines see under this name
   bool operator==(const RunPlace&) const = default;
 };
 
@@ -33,14 +33,14 @@ struct RunPlace {
 struct RunPrograms {
   std::string footfallMpi = "footfall-mpi", mpirun = "mpirun", sbatch = "sbatch", scancel = "scancel",
               squeue = "squeue";
-  /// Of Slurm's, when a job is cancelled: how long each of them may take, and all together.
+  /// Time limits of Slurm's commands when a job is cancelled: of each, and of all together.
   double answerMs = 3000, endMs = 10000;
 };
-/// `folder`: that of the program that asks, where footfall-mpi is looked for first. FOOTFALL_MPI and FOOTFALL_MPIRUN in
+/// `folder` is that of the calling program; footfall-mpi is looked for there first. FOOTFALL_MPI and FOOTFALL_MPIRUN in
 /// the environment come before both.
 RunPrograms findPrograms(const std::string& folder);
 
-/// What keeps runs from that place, and what to do; empty: nothing that can be seen from here.
+/// The reason why runs cannot go to that place, and what to do; empty: no problem is visible from here.
 Text problemOf(const RunPlace& place, const RunPrograms& programs);
 
 /// Starts the processes of a job (writeJob()) and waits for them. `threads` of each, 0: all that it may have. Returns
@@ -52,8 +52,8 @@ Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& pr
 std::vector<std::string> commandOf(const std::string& job, const RunPlace& place, const RunPrograms& programs,
                                    int threads);
 
-/// What is worth telling of what failed processes wrote: the line of ours; else what mpirun says in dashes, its first
-/// paragraph, or the line right before (of ssh); else the last line.
+/// The useful part of the output of failed processes: the line of ours; else the first paragraph of mpirun's message
+/// between dashes, or the line right before (of ssh); else the last line.
 std::string problemIn(const std::string& output);
 
 }  // namespace footfall::detail

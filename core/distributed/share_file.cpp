@@ -55,7 +55,7 @@ OpenedShare openShare(std::string_view sealed) {
   }
 }
 
-// In blocks by read(), which keeps an error of the disk in the stream's state; an iterator of the stream lets the
+// Reads in blocks by read(), which keeps a disk error in the stream's state; an iterator of the stream lets the
 // library's own exception through.
 std::optional<std::string> contentOf(const std::string& path) {
   std::error_code error;

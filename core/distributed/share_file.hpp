@@ -12,12 +12,12 @@
 
 namespace footfall::detail {
 
-/// To be raised with each change of what shares say, of their bytes, or of what a clearance filter finds.
+/// Raise this with each change of the meaning of shares, of their bytes, or of the results of a clearance filter.
 constexpr std::uint64_t kShareVersion = 2;
 
-/// Which share.
+/// The name of a share.
 struct ShareName {
-  Digest::Value key{};      ///< of the pass: CellPhase::key
+  Digest::Value key{};      ///< CellPhase::key of the pass
   std::uint64_t phase = 0;  ///< CellPhase::number
   std::uint64_t cell = 0;
   bool operator==(const ShareName&) const = default;

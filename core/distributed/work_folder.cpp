@@ -118,7 +118,7 @@ void WorkFolder::remove(const Digest::Value& key) noexcept {
     std::error_code ignored;
     for (const fs::path& path : gone) fs::remove(path, ignored);
   } catch (const std::exception&) {
-    // What cannot be removed takes room and does no harm.
+    // Files that cannot be removed take room and do no harm.
   }
 }
 

@@ -31,8 +31,9 @@ class WorkFolder {
     Index cell = -1;
     std::string sealed;
   };
-  /// The sound shares of a pass, ascending by cell. What is not sound, or no share of its cell (CellPhase::check), is
-  /// told in `notes` (a sentence each) and left to be written anew. Uses the threads of the present arena.
+  /// The sound shares of a pass, ascending by cell. Shares that are not sound, or do not belong to their cell
+  /// (CellPhase::check), are reported in `notes` (a sentence each) and left to be written anew. Uses the threads of the
+  /// present arena.
   std::vector<Stored> load(const CellPhase& phase, std::vector<Text>& notes);
   /// The cells of a pass whose shares are there, in any order. None when the folder cannot be read.
   [[nodiscard]] std::vector<Index> cellsOf(const CellPhase& phase) const;

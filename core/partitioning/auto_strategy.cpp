@@ -9,7 +9,7 @@
 namespace footfall::detail {
 namespace {
 
-// Below, the threads share the floors of one cell: even the estimate of the work would be a good part of it.
+// Below this, threads share the floors of one cell: even the estimate would be a large part of the work.
 constexpr std::size_t kFewTriangles = 16384;
 // Idle threads help with cells that are not finished, so that two cells for each thread balance. More would only cut
 // more floors, and so would cells of less than about 15 ms on one thread (a trivial triangle is some 4 microseconds of

@@ -1,4 +1,4 @@
-// Which floors lie in which cell, and how many triangles matter to them.
+// Finds the floors of each cell, and the number of triangles that matter to them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace {
 // A chunk has a counter for each cell, so there are few.
 constexpr std::size_t kMostChunks = 16;
 constexpr std::size_t kSmallestChunk = 4096;
-constexpr std::size_t kVisitsPerPoll = 4096;  ///< of triangles, and of the cells that they have a part in
+constexpr std::size_t kVisitsPerPoll = 4096;  ///< visits of triangles and of the cells that they have a part in
 
 struct HeightRange {
   double lower = CellBounds::kInfinity;
@@ -31,12 +31,12 @@ HeightRange heightsOf(const SourceMesh& mesh, Index triangle) {
   return {std::min({a, b, c}), std::max({a, b, c})};
 }
 
-// What one chunk of the triangles found. Its results do not depend on where chunks begin once they are put together.
+// The findings of one chunk of the triangles. Joined, they do not depend on where chunks begin.
 struct Chunk {
   std::vector<std::pair<Index, Index>> listed;  // cell and floor, floors ascending
-  std::vector<std::uint32_t> floors;            // for each cell
-  std::vector<std::uint64_t> obstacles;         // for each cell
-  std::vector<HeightRange> heights;             // for each cell: of its floors
+  std::vector<std::uint32_t> floors;            // floors of each cell
+  std::vector<std::uint64_t> obstacles;         // number of obstacles of each cell
+  std::vector<HeightRange> heights;             // heights of each cell's floors
 };
 
 class FloorAssignment {
@@ -96,7 +96,7 @@ class FloorAssignment {
     }
   }
 
-  // Whether an edge certainly has the whole cell on its outer side; the sides of the cell are known to overlap the
+  // True when an edge certainly has the whole cell on its outer side; the sides of the cell are known to overlap the
   // triangle's box. Uncertain is inside. Beyond the triangle's box it does not matter where the cell ends.
   [[nodiscard]] bool isOutside(Index floor, const PlanBox& box, const CellBounds& bounds) const {
     const int facing = mesh_.facing[floor];

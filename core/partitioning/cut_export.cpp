@@ -7,7 +7,7 @@ namespace footfall::detail {
 
 std::string formatCutObj(const CutEnvironment& cut, std::size_t cellCount, const Environment& environment,
                          const ExportHeader& header) {
-  // what no triangle uses, is not written
+  // vertices that no triangle uses are not written
   constexpr auto kUnused = static_cast<std::uint32_t>(-1);
   std::vector<std::uint32_t> numbers(cut.places.size(), kUnused);
   std::vector<std::vector<std::size_t>> members(cellCount);

@@ -17,9 +17,9 @@ double coordinateOf(const Vec3& v, int axis) { return axis == 0 ? v.x : axis == 
 
 int compare(double a, double b) { return (a > b) - (a < b); }
 
-// Coordinate `axis` where the edge from `a` to `b` passes through c along `cutAxis`, if wider floating-point numbers
-// can tell which double is the nearest. Five operations on the step and one on the sum lose at most half an epsilon
-// each.
+// Coordinate `axis` of the place where the edge from `a` to `b` passes through c along `cutAxis`, if wider
+// floating-point numbers decide which double is the nearest. Five operations on the step and one on the sum lose at
+// most half an epsilon each.
 std::optional<double> nearestOnEdge(const Vec3& a, const Vec3& b, int cutAxis, double c, int axis) {
   using Wide = long double;
   const Wide from = coordinateOf(a, axis), start = coordinateOf(a, cutAxis);
@@ -52,8 +52,8 @@ CutVertex CutGeometry::edgePoint(Index u, Index v, int axis, Index number) const
   return point;
 }
 
-// Where the edge (dx, dy) passes through the border's coordinate c, its other coordinate is off the corner by the
-// corner's determinant over dx or dy.
+// The other coordinate of the edge (dx, dy), at the border's coordinate c, is off the corner by the corner's
+// determinant over dx or dy.
 int CutGeometry::side(const CutVertex& vertex, int axis, Index number) const {
   const auto k = static_cast<std::size_t>(axis);
   if (vertex.kind == CutVertex::Source)

@@ -1,4 +1,4 @@
-// What a vertex of a cut environment is, and where it lies.
+// The definition and the place of a vertex of a cut environment.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,8 @@ namespace footfall::detail {
 struct CutVertex {
   enum Kind : Index {
     Source,  ///< vertex `a`
-    OnEdge,  ///< where the source edge of vertices (a < b) meets a border; one in x where it meets two
-    Inside   ///< of triangle `a`, where a border in x and one in y cross
+    OnEdge,  ///< the source edge of vertices (a < b) meets a border; in x when it meets two
+    Inside   ///< a border in x and one in y cross inside triangle `a`
   };
   Index kind = Source;
   Index a = -1, b = -1;

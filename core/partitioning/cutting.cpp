@@ -68,7 +68,7 @@ class EdgePoints {
 
  private:
   std::vector<CutVertex> points_;
-  std::vector<Index> first_;  ///< for each vertex, the first point of edges from it on
+  std::vector<Index> first_;  ///< first point of the edges from each vertex on
 };
 
 class Cutting {
@@ -91,15 +91,15 @@ class Cutting {
   struct Divided {
     Index triangle = -1;
     Index node = -1;
-    std::size_t firstPiece = 0, pieceCount = 0;  ///< in the pieces of its task
+    std::size_t firstPiece = 0, pieceCount = 0;  ///< range in the pieces of its task
     std::size_t firstInside = 0, insideCount = 0;
     Index firstInsideVertex = -1;
   };
-  /// What a task found, for triangles in order.
+  /// The findings of a task, for triangles in order.
   struct Share {
     CutPieces pieces;
     std::vector<CutVertex> edgePoints;
-    std::vector<CutVertex> inside;  ///< of each triangle, distinct and by borders
+    std::vector<CutVertex> inside;  ///< inner vertices of each triangle, distinct and by borders
   };
 
   void findCells() {
@@ -267,7 +267,7 @@ class Cutting {
       for (Index i = last; i-- > first;) triangulation.addPoint(pointVertex(i));
   }
 
-  // Between two vertices of one edge, given by number: its ends or points of its range.
+  // The points between two vertices of one edge, given by number: its ends or points of its range.
   void addPointsBetween(Index from, Index to, std::pair<Index, Index> range, bool rises,
                         ConvexTriangulation& triangulation) const {
     if (!rises) std::swap(from, to);
@@ -277,7 +277,7 @@ class Cutting {
     addEdgePoints(first, last, rises, triangulation);
   }
 
-  // Where the other side of a border is cut deeper (figure 13).
+  // The side of a border that lies across a deeper cut (figure 13).
   void addInsideBetween(const CutVertex& from, const CutVertex& to, const PieceSide& side,
                         std::span<const CutVertex> inside, Index firstVertex,
                         ConvexTriangulation& triangulation) const {
@@ -310,7 +310,7 @@ class Cutting {
   std::span<const char> included_;
   Poll poll_;
 
-  /// For each triangle: -1 - its cell, or its number among the divided ones, or kLeftOut.
+  /// One entry per triangle: -1 - its cell, or its number among the divided ones, or kLeftOut.
   std::vector<Index> child_;
   std::vector<Divided> divided_;
   std::vector<Share> shares_;  ///< kCutTrianglesPerTask divided triangles each

@@ -25,16 +25,16 @@ struct CutTriangle {
 /// upper cell. Cuts between heights divide no triangle; its lowest corner decides.
 struct CutEnvironment {
   std::vector<CutVertex> vertices;     ///< those of the mesh under their own numbers, then cut points
-  std::vector<Vec3> places;            ///< of the vertices, rounded to the nearest doubles
-  std::vector<CutTriangle> triangles;  ///< by source triangle
+  std::vector<Vec3> places;            ///< places of the vertices, rounded to the nearest doubles
+  std::vector<CutTriangle> triangles;  ///< sorted by source triangle
   /// The number of triangles that `round` left out because rounding moved corners of theirs to one place.
   std::uint64_t closedTriangles = 0;
 };
 
 /// Cuts the triangles with `included[t] != 0` (empty: all), walkable or rejected, upright ones too. Degenerate ones
 /// stay as they are, in the cell of their first corner. `round` says that the rounded places are what the vertices are
-/// (thesis 5.1.1): those that come together become one, and only rounding can break what is said above. Where the
-/// exact place of a vertex is wanted: CutGeometry::exactPlace(). Parallel; deterministic; `poll` is called every few
+/// (thesis 5.1.1): those that come together become one, and only rounding can break what is stated above.
+/// CutGeometry::exactPlace() gives the exact place of a vertex. Parallel; deterministic; `poll` is called every few
 /// milliseconds, by any thread, and may throw to cancel.
 CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,
                               bool round, Poll poll = {});

@@ -16,14 +16,15 @@ constexpr double kWorkOfFloor = 1;
 constexpr double kWorkOfTest = 0.03;  ///< an obstacle whose box overlaps that of the floor's clearance
 constexpr double kWorkOfOverlap = 0.4;
 
-constexpr std::size_t kPilotSize = 256;         ///< floors that tell how many obstacles a floor has
+constexpr std::size_t kPilotSize = 256;         ///< number of floors that are sampled to find how many obstacles a
+                                                ///< floor has
 constexpr std::size_t kLargestSample = 1024;    ///< floors
 constexpr std::size_t kSampleOfCell = 32;       ///< floors; idle threads make good what is estimated badly
-constexpr double kMostVisits = 60000;           ///< of obstacles, for the sample; about two milliseconds
+constexpr double kMostVisits = 60000;           ///< visits of obstacles by the sample; about two milliseconds
 constexpr std::size_t kScatteredOverlaps = 16;  ///< obstacles of a floor from which on it matters where they are
-constexpr std::size_t kMostPlaces = 256;        ///< of the work of one floor
-// Of the obstacles of giants in large environments, one in so many is looked at; prime, so that no pattern of the
-// triangles falls in with it.
+constexpr std::size_t kMostPlaces = 256;        ///< number of places over which the work of one floor is spread
+// The stride by which obstacles of giants in large environments are sampled; prime, so that no pattern of the triangles
+// falls in with it.
 constexpr unsigned kGiantStride = 7;
 constexpr std::size_t kManyTriangles = 16384;
 constexpr std::size_t kMostItems = 4096;
@@ -82,7 +83,7 @@ class FloorSampler {
       if (sum < next) continue;
       const double times = std::floor((sum - next) / step) + 1;
       next += times * step;
-      // What is chosen surely stands for itself.
+      // Floors that are certainly chosen represent only themselves.
       const bool isGiant = sizes_[i] >= step;
       chosen.push_back({floors_[i], isGiant ? 1 : times * step / sizes_[i], isGiant});
     }
@@ -91,10 +92,10 @@ class FloorSampler {
 
  private:
   std::vector<Index> floors_;
-  std::vector<double> sizes_;  ///< for each of them; all together 1
+  std::vector<double> sizes_;  ///< share of each of them; together 1
 };
 
-// Whether an edge of the first triangle has all of the second on its outer side, as far as doubles can tell.
+// True when an edge of the first triangle has all of the second on its outer side, as far as doubles can decide.
 bool isApart(const SourceMesh& mesh, Index first, Index second) {
   const int facing = mesh.facing[first];
   if (facing == 0) return false;

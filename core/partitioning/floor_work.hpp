@@ -1,4 +1,4 @@
-// How much work the floors of a block will be, and where: an estimate from a sample of them.
+// Estimates how much work the floors of a block are, and where, from a sample of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ struct FloorWork {
     double highest = 0;
     double count = 1;  ///< floors that it stands for
   };
-  PlanBox box;  ///< of the whole environment
+  PlanBox box;  ///< box of the whole environment
   std::vector<Item> items;
   std::vector<Floor> floors;
   double total = 0;

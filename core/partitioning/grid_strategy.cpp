@@ -7,8 +7,8 @@
 namespace footfall::detail {
 namespace {
 
-// The thesis's lower + (width / count) * i. Two ends so far apart that the width overflows are halved first. Cuts that
-// rounding brings together, or onto an end, are one or none.
+// The cuts lie at the thesis's lower + (width / count) * i. Two ends so far apart that the width overflows are halved
+// first. Cuts that rounding brings together, or onto an end, are one or none.
 std::vector<double> equalCuts(double lower, double upper, int count) {
   std::vector<double> cuts;
   const double scale = std::isfinite(upper - lower) ? 1 : 0.5;

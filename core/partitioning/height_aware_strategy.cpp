@@ -21,9 +21,9 @@ constexpr double kWorkOfCutFloor = 2;  ///< cut at a border, twice begun, and pu
 constexpr double kWorkOfSlope = 0.5;
 // Cuts are looked for where either side has at least so much of the work.
 constexpr double kSmallestSide = 0.35;
-// What cannot be divided better than this is not cut.
+// The worst division that is still made.
 constexpr double kWorstSide = 0.02;
-// What a cut between heights loses where its sides do not lie above one another: there are no storeys, and a cut in the
+// The penalty of a cut between heights whose sides do not lie above one another: there are no storeys, and a cut in the
 // plan would keep together what is near.
 constexpr double kLossBesideStoreys = 0.5;
 constexpr double kStackedShare = 0.5;  ///< so much of the work above or below other work is a storey
@@ -77,7 +77,7 @@ class Ranking {
 class FloorTree {
  public:
   struct Part {
-    std::vector<Index> items, floors;  ///< of the work
+    std::vector<Index> items, floors;  ///< items of work, and their floors
     PlanBox box;
   };
 
@@ -115,7 +115,7 @@ class FloorTree {
       tbb::parallel_for(0, 3, find);
     else
       for (int axis = 0; axis < 3; ++axis) find(axis);
-    // Between heights first: no floor is cut.
+    // Heights are cut first, since no floor is cut then.
     Candidate result = best[2];
     for (int axis = 0; axis < 2; ++axis)
       if (best[axis].score < result.score) result = best[axis];
@@ -178,7 +178,7 @@ class FloorTree {
     return work;
   }
 
-  // Where floors begin and end, as far as the sides are about equal; else where the work's middle is.
+  // Cuts lie where floors begin and end, if the sides are about equal; else at the middle of the work.
   std::vector<double> placesToCut(const Part& part, const Ranking& items, double total, int axis) const {
     const double first = items.keyAt(kSmallestSide * total), last = items.keyAt((1 - kSmallestSide) * total);
     std::vector<double> places;

@@ -19,7 +19,7 @@ double LoadBalance::imbalance() const {
   if (loads.empty()) return 1;
   const double largest = *std::max_element(loads.begin(), loads.end());
   if (!(largest > 0)) return 1;
-  // In units of the largest, so that no sum overflows.
+  // Sums in units of the largest, so that none overflows.
   double sum = 0;
   for (const double load : loads) sum += load / largest;
   return static_cast<double>(loads.size()) / sum;

@@ -1,5 +1,5 @@
-// How an environment is divided into cells: a tree of cuts, in the plan and between heights (docs/explanation/model.md;
-// thesis 4.3).
+// The division of an environment into cells: a tree of cuts, in the plan and between heights
+// (docs/explanation/model.md; thesis 4.3).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,7 +33,7 @@ struct Partition {
   };
   std::array<std::vector<double>, 2> borders;  ///< distinct and ascending, in x and in y
   std::vector<Node> nodes;                     ///< the first is the root; empty: one cell
-  std::vector<Cell> cells;                     ///< at least one
+  std::vector<Cell> cells;                     ///< at least one cell
   std::string strategy;                        ///< the strategy that made the cells, with its parameters
   Text reason;                                 ///< why, where a strategy had the choice; else empty
 

@@ -1,4 +1,4 @@
-// What all strategies share: the tree of cuts that they grow, and the partition that it becomes.
+// The code that all strategies share: the tree of cuts that they grow, and the partition made of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -68,7 +68,7 @@ struct RecursionLimits {
   double triangles = 0;  ///< parts with no more are not cut
   double depth = 0;      ///< cuts on the way to a cell
 
-  /// When they make too many cells.
+  /// Advice for strategies that make too many cells.
   static constexpr Pattern kAdvice = FOOTFALL_TEXT("give a larger min or a smaller depth");
 };
 std::unique_ptr<CutTree> growRecursive(const RecursionLimits& limits, const std::string& name,
@@ -79,13 +79,13 @@ std::unique_ptr<CutTree> growSortedRecursive(const RecursionLimits& limits, cons
 std::unique_ptr<CutTree> growHeightAware(const RecursionLimits& limits, const FloorWork& work, const std::string& name,
                                          const StrategyInput& input);
 
-/// What AutoStrategy picked.
+/// The choice of AutoStrategy.
 struct AutoChoice {
   bool isOneCell = true;
-  RecursionLimits limits;  ///< of HeightAwareStrategy, where it is picked
+  RecursionLimits limits;  ///< limits for HeightAwareStrategy, if that is chosen
   Text reason;
 };
-/// `work` is asked for only where it matters.
+/// `work` is called only when its value matters.
 AutoChoice chooseStrategy(const StrategyInput& input, const std::function<double(const RecursionLimits&)>& work);
 
 }  // namespace footfall::detail

@@ -40,7 +40,7 @@ class StrategyCall {
 
   const std::vector<double>& values;
   const StrategyInput& input;
-  std::string name;  ///< as in a pipeline file; AutoStrategy replaces it by that of its choice
+  std::string name;  ///< the name in a pipeline file; AutoStrategy replaces it by that of its choice
   Text reason;
 
  private:

@@ -12,13 +12,14 @@
 
 namespace footfall::detail {
 
-/// What a strategy looks at.
+/// The data from which a strategy decides.
 struct StrategyInput {
   const SourceMesh& mesh;
-  std::span<const char> walkable;  ///< for each triangle: it is a floor
-  std::span<const char> removed;   ///< for each triangle: it is not there any more
-  double clearance = 0;            ///< of the block's first clearance filter, in the environment's units; 0: none
-  int threads = 1;                 ///< that will work on the cells
+  std::span<const char> walkable;  ///< one flag per triangle: it is a floor
+  std::span<const char> removed;   ///< one flag per triangle: it was removed
+  double clearance = 0;            ///< height of the block's first clearance filter, in the environment's units; 0:
+                                   ///< none
+  int threads = 1;                 ///< number of threads that will run the cells
   Poll poll = {};
 };
 
@@ -26,12 +27,12 @@ struct StrategyInput {
 /// on nothing but the arguments (and only AutoStrategy on the threads).
 Partition makePartition(FilterType strategy, const std::vector<double>& values, const StrategyInput& input);
 
-/// Which floors have a part in which cell: for cell c, floors[first[c]] to floors[first[c + 1] - 1], ascending.
+/// The floors that have a part in each cell: for cell c, floors[first[c]] to floors[first[c + 1] - 1], ascending.
 /// Conservative: a floor may be listed where it has no area.
 struct CellFloors {
   std::vector<std::size_t> first;
   std::vector<Index> floors;
-  /// For each triangle: in how many cells it is listed.
+  /// The number of cells in which each triangle is listed.
   std::vector<Index> cellCount;
 };
 /// Calls take(floor, cell) for all of them, cells from last to first: what is kept in the end is the first cell that

@@ -89,7 +89,7 @@ void TriangleCutter::cut(Index triangle, const Polygon& whole, Index child, doub
     hasBelow = hasBelow || signs[k] < 0;
     hasAbove = hasAbove || signs[k] > 0;
   }
-  // what lies on the border alone belongs above
+  // A part on the border alone belongs above.
   if (!hasBelow || !hasAbove) return cut(triangle, whole, hasBelow ? node.below : node.above, z, pieces);
   Polygon below, above;
   for (std::size_t k = 0; k < whole.size; ++k) {

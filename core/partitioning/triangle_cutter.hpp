@@ -9,8 +9,8 @@
 
 namespace footfall::detail {
 
-/// What a side of a piece lies on: the border `number` of axis 0 or 1, or (axis 2) the triangle's edge from corner
-/// `number` to the next one.
+/// The line on which a side of a piece lies: the border `number` of axis 0 or 1, or (axis 2) the triangle's edge from
+/// corner `number` to the next one.
 struct PieceSide {
   static constexpr int kEdge = 2;
   Index axis = kEdge;
@@ -19,13 +19,13 @@ struct PieceSide {
 
 struct PieceCorner {
   CutVertex vertex;
-  PieceSide side;  ///< to the next corner
+  PieceSide side;  ///< side to the next corner
 };
 
 /// Pieces of triangles, one behind the other: strictly convex, turning as their triangle does.
 struct CutPieces {
   struct Piece {
-    std::size_t first = 0;  ///< in corners
+    std::size_t first = 0;  ///< index in corners
     std::size_t count = 0;
     Index cell = -1;
   };
@@ -52,7 +52,7 @@ class TriangleCutter {
     void push(const CutVertex& vertex, const PieceSide& side) { corners[size++] = {vertex, side}; }
   };
   void cut(Index triangle, const Polygon& whole, Index child, double z, CutPieces& pieces) const;
-  /// Where a side that crosses the border meets it.
+  /// The crossing of a side with the border.
   [[nodiscard]] CutVertex crossing(Index triangle, const PieceSide& side, const PieceSide& border) const;
 
   const CutGeometry& geometry_;

@@ -14,8 +14,8 @@ using Point = TrianglePieces::Point;
 constexpr std::size_t kPiecesPerPoll = 4096;
 constexpr std::size_t kPiecesPerTask = 8192;
 
-// Where a line from a to b, on either side of the border, crosses it. Halves, so that no difference overflows; where
-// they are too small to tell, the middle will do.
+// The point where a line from a to b, on either side of the border, crosses it. Computed from halves, so that no
+// difference overflows; where they are too small to divide, the middle is used.
 Point crossing(const Point& a, const Point& b, int axis, double coordinate) {
   const double part = (coordinate / 2 - a[axis] / 2) / (b[axis] / 2 - a[axis] / 2);
   Point result;

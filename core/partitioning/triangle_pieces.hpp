@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// What lies in one node of the tree of cuts.
+/// The pieces of triangles in one node of the tree of cuts.
 class TrianglePieces {
  public:
   /// All triangles that are not removed.
@@ -31,17 +31,17 @@ class TrianglePieces {
   using Point = std::array<double, 2>;
 
  private:
-  /// What cuts left of a triangle, a convex outline.
+  /// A remainder of a cut triangle, a convex outline.
   struct Part {
     PlanBox box;
-    Index firstCorner = 0;  ///< in corners_
+    Index firstCorner = 0;  ///< index in corners_
     Index cornerCount = 0;
   };
 
   TrianglePieces() = default;
   void addPart(std::span<const Point> outline);
 
-  std::shared_ptr<const std::vector<PlanBox>> boxes_;  ///< of all triangles
+  std::shared_ptr<const std::vector<PlanBox>> boxes_;  ///< boxes of all triangles
   std::vector<Index> whole_;                           ///< triangles that no cut has met
   std::vector<Part> parts_;
   std::vector<Point> corners_;
