@@ -11,18 +11,18 @@
 
 namespace footfall::detail {
 
-/// What cutting the environment along the cells made.
+/// The counts of cutting the environment along the cells.
 struct CutCounts {
   std::uint64_t vertices = 0;
-  std::uint64_t cutVertices = 0;  ///< of them made by cuts
+  std::uint64_t cutVertices = 0;  ///< vertices made by cuts
   std::uint64_t triangles = 0;
-  std::uint64_t closedTriangles = 0;  ///< left out, because rounding brought their corners together
+  std::uint64_t closedTriangles = 0;  ///< triangles left out because rounding brought their corners together
 };
 
 struct CellsReport {
   const Environment& environment;
   const Partition& partition;
-  int threads = 1;  ///< over which the cells are to be spread, largest first
+  int threads = 1;  ///< threads over which the cells are spread, largest first
   std::optional<CutCounts> cut;
 };
 

@@ -21,9 +21,10 @@
 namespace footfall::detail {
 namespace {
 
-// In metres, whatever the agent: how far round the walkable area walls are drawn, and the longest tread of a flight.
+// The distance round the walkable area within which walls are drawn, and the longest tread of a flight; in metres,
+// whatever the agent.
 constexpr double kWallMargin = 0.5, kLongestTread = 1.2;
-// Of the agent's height.
+// Shares of the agent's height.
 constexpr double kCutHeight = 0.55, kLevelTolerance = 0.25;
 
 // Millimetres.

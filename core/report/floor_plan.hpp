@@ -52,12 +52,12 @@ inline constexpr const char* kPaperNames = "A4|A3|A2|A1|A0";
 std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline& pipeline, const NavigationMesh& mesh,
                                  const PlanOptions& options = {}, Poll poll = {});
 
-/// What a plan is written as.
+/// The file formats of plans.
 enum class PlanFormat { Svg, Pdf, Wkt, GeoJson };
-/// By the ending of a name, in either case. Throws InputError for one that is no plan.
+/// Chooses by the ending of a name, in either case. Throws InputError for one that is no plan.
 PlanFormat planFormatOf(const std::string& path);
 
-/// What a plan, SVG or PDF, keeps of a result and what it loses, as phrases; for polygons see format_table.hpp.
+/// The phrases about what a plan in SVG or PDF keeps of a result and loses; for polygons see format_table.hpp.
 Pattern planKeeps(PlanFormat format);
 Pattern planLoses(PlanFormat format);
 

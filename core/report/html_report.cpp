@@ -30,7 +30,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kMostRows = 20;  // of lists that can have thousands
+constexpr std::size_t kMostRows = 20;  // limit of lists that can have thousands
 
 // Blue for bars: Okabe and Ito's, darker or lighter as the background needs it.
 constexpr const char* kStyle = R"(
@@ -147,7 +147,7 @@ std::vector<Group> sumGroups(const NavigationMesh& mesh, const std::vector<std::
   return groups;
 }
 
-/// What import left out: how much, and the first polygons with their places.
+/// The elements that import left out: their number, and the first polygons with their places.
 std::string skippedSection(const SkippedElements& skipped, UpAxis up) {
   std::string text;
   const auto add = [&](std::uint64_t count, const char* one, const char* many) {

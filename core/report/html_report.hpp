@@ -18,9 +18,9 @@ struct ReportPicture {
   std::string png;  ///< the bytes of a PNG file
 };
 
-/// What is not in the result of a run.
+/// Details that the result of a run lacks.
 struct ReportDetails {
-  std::string date;  ///< when it was made, for people; empty: the report has none
+  std::string date;  ///< date of the report, for people; empty: none
   std::span<const ReportPicture> pictures;
   std::span<const ReportPicture> legend;  ///< a small picture of each colour, and as its caption what it means
 };

@@ -6,7 +6,7 @@
 namespace footfall::detail {
 namespace {
 
-/// How many bytes the UTF-8 character at `i` has; 0 when there is none (RFC 3629).
+/// The number of bytes of the UTF-8 character at `i`; 0 when there is none (RFC 3629).
 std::size_t characterLength(std::string_view text, std::size_t i) {
   const auto byte = [&](std::size_t k) {
     return i + k < text.size() ? static_cast<unsigned char>(text[i + k]) : static_cast<unsigned char>(0);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kSkippedShown = 20;
 
-/// For each vertex a number that it shares with exactly the vertices at the same position.
+/// A number for each vertex that it shares with exactly the vertices at the same position.
 std::vector<std::uint32_t> numberPositions(const std::vector<Vec3>& vertices) {
   std::vector<std::uint32_t> order(vertices.size());
   std::iota(order.begin(), order.end(), 0U);
@@ -37,7 +37,7 @@ std::vector<std::uint32_t> numberPositions(const std::vector<Vec3>& vertices) {
 }
 
 void countEdges(std::vector<Triangle> byPosition, std::size_t positionCount, EnvironmentInfo& info) {
-  // What is folded onto itself bounds nothing.
+  // Triangles folded onto themselves bound nothing.
   std::erase_if(byPosition, [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; });
   const Adjacency adjacency = findEdges(byPosition, positionCount);
   for (Index e = 0; e < adjacency.edgeCount(); ++e) {
@@ -54,7 +54,7 @@ void appendLine(std::string& text, const char* label, const std::string& value) 
   text += padded + value + "\n";
 }
 
-/// What the file says of a part, unless it is nothing special.
+/// The role that the file gives a part, unless it is the usual one.
 std::string roleNote(const Environment& environment, std::size_t part) {
   switch (usualRole(environment, static_cast<std::uint32_t>(part))) {
     case PartRole::ObstacleOnly:

@@ -17,7 +17,7 @@ struct EnvironmentInfo {
   std::uint64_t degenerate = 0;  ///< triangles of zero area, exactly
   std::uint64_t duplicate = 0;   ///< triangles with the same three positions as an earlier one, in any order
   std::uint64_t walkable45 = 0;  ///< triangles that SlopeFilter 45 keeps, exactly
-  std::vector<std::uint64_t> partTriangles;  ///< for each of Environment::parts
+  std::vector<std::uint64_t> partTriangles;  ///< one count per Environment::parts
   std::uint64_t openEdges = 0;               ///< edges (by position) with one triangle
   std::uint64_t nonManifoldEdges = 0;        ///< edges (by position) with more than two triangles
 };

@@ -105,7 +105,7 @@ PlanDoor doorOf(const Environment& environment, const std::vector<std::uint32_t>
   if (directions.empty()) directions[0] = {1, 0};
   double least = kFar;
   for (const auto& [degrees, axis] : directions) {
-    const auto along = axis;  // of its own: Clang 14 captures no bindings
+    const auto along = axis;  // a variable of its own, because Clang 14 captures no bindings
     double low = kFar, high = -kFar, left = kFar, right = -kFar;
     for (const std::uint32_t t : triangles)
       for (const std::uint32_t v : environment.triangles[t]) {

@@ -1,4 +1,4 @@
-// Where the doors of a building are, for floor plans: IFC files know them by their class.
+// Finds the doors of a building for floor plans; IFC files mark them by their class.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -20,7 +20,7 @@ constexpr double kWallLine = 0.5, kWallOutline = 0.25, kBorder = 0.15, kObstacle
 constexpr double kArrowHead = 1.6, kTick = 1.0, kTickDistance = 1.5;
 constexpr double kLetters = 2.6, kSmallLetters = 1.9;
 constexpr double kShortestMark = 2.5;  // arrows over single steps, and words at passages
-constexpr double kLetterWidth = 0.55;  // of their size, on average
+constexpr double kLetterWidth = 0.55;  // average share of the letter size
 
 SheetPoint between(const SheetPoint& a, const SheetPoint& b, double f) {
   return {a.x + f * (b.x - a.x), a.y + f * (b.y - a.y)};
@@ -81,7 +81,7 @@ class PageDrawer {
     if (!path.lines.empty()) drawing_.emplace_back(std::move(path));
   }
 
-  // Below the walkable area, so that of what stands at its border the outer half is seen, and nothing that is cut
+  // Draws walls below the walkable area, so that the outer half of walls at its border is visible, and nothing cut
   // elsewhere, such as a flight of stairs, covers floors above it.
   void drawWalls() {
     PlanWalls walls = cutWalls(subject_.environment, mesh_, page_.triangles, subject_.cut, poll_);
@@ -120,14 +120,14 @@ class PageDrawer {
     });
   }
 
-  /// What is equal for the two sides of an obstacle edge.
+  /// The places, which are equal for the two sides of an obstacle edge.
   [[nodiscard]] std::pair<PlanPlace, PlanPlace> placesOf(const std::array<std::uint32_t, 2>& edge) const {
     const Vec3 &a = mesh_.vertices[edge[0]], &b = mesh_.vertices[edge[1]];
     return std::minmax(PlanPlace{a.x, a.y}, PlanPlace{b.x, b.y});
   }
 
   void drawWalkable() {
-    // Where storeys have floors over each other, the higher one is seen.
+    // The higher floor is visible where storeys have floors over each other.
     std::vector<std::pair<double, const PlanPart*>> byHeight;
     for (const PlanPart& part : outline_.parts) byHeight.emplace_back(mesh_.vertices[part.outer[0]].z, &part);
     std::stable_sort(byHeight.begin(), byHeight.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -147,7 +147,7 @@ class PageDrawer {
     }
   }
 
-  /// Whether a floor of this page lies at the door's sill, in it or beside it.
+  /// True when a floor of this page lies at the door's sill, in it or beside it.
   [[nodiscard]] bool isAtFloor(const PlanDoor& door) const {
     PlanPlace low = door.corners[0], high = low;
     for (const PlanPlace& p : door.corners)
@@ -171,7 +171,7 @@ class PageDrawer {
       if (link.kind == StepKind::Gap && isHere(link))
         gaps.lines.push_back({at(link.from[0]), at(link.from[1]), at(link.to[0]), at(link.to[1])});
     contents_.gaps = !gaps.lines.empty();
-    // As wide as a line at least, to be seen.
+    // The width is at least that of a line, to be visible.
     gaps.stroke = SheetStroke{style_.gap, kMedium};
     addPath(std::move(gaps));
   }
@@ -273,7 +273,7 @@ class PageDrawer {
       for (std::size_t i = 0; i + 1 < way.size(); ++i) length += distance(way[i], way[i + 1]);
       if (way.size() == 1 && first->length * layout_.unit < 2 * kShortestMark) continue;
       if (way.size() > 1 && length < kShortestMark) continue;
-      // From before the first riser to behind the last one.
+      // The arrow begins before the first riser and ends behind the last one.
       const double ends = way.size() == 1 ? 0.9 * kArrowHead : std::min(kArrowHead, length / 4);
       way.insert(way.begin(), moved(way.front(), first->up, -ends));
       way.push_back(moved(way.back(), last->up, ends));
@@ -285,7 +285,7 @@ class PageDrawer {
     return {p.x + by * direction[0], p.y + by * direction[1]};
   }
 
-  /// For each connected part its area on this page, in the largest piece of it.
+  /// Writes the area of each connected part on this page, in its largest piece.
   void drawAreas() {
     struct Sum {
       double area = 0, largest = 0;
@@ -333,7 +333,7 @@ class PageDrawer {
                         true});
   }
 
-  std::vector<SheetText> words_;  // over everything else
+  std::vector<SheetText> words_;  // drawn over everything else
   const PlanSubject& subject_;
   const NavigationMesh& mesh_;
   const PlanPage& page_;

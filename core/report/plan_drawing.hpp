@@ -14,11 +14,11 @@
 
 namespace footfall::detail {
 
-/// What a page shows, for what is written around it.
+/// The content of a page, for the texts around it.
 struct PlanContents {
   bool walls = false, doors = false, obstacleEdges = false, steps = false, gaps = false, drops = false,
        passages = false;
-  double area = 0;  ///< of the floors that are drawn; the square of the environment's unit
+  double area = 0;  ///< area of the drawn floors; the square of the environment's unit
 };
 
 struct PlanStyle {
@@ -40,8 +40,8 @@ struct PlanSubject {
 PlanContents drawPlanPage(const PlanSubject& subject, std::size_t page, const PlanLayout& layout,
                           const PlanStyle& style, std::vector<SheetShape>& drawing, Poll poll);
 
-/// A door in plan: its opening from jamb to jamb, and the leaf as a line in the middle, as nothing tells to which side
-/// it swings. `corners` as in PlanDoor.
+/// A door in plan: its opening from jamb to jamb, and the leaf as a line in the middle, because files do not say to
+/// which side it swings. `corners` as in PlanDoor.
 void addDoor(std::vector<SheetShape>& drawing, const std::array<SheetPoint, 4>& corners, const Rgb& colour);
 
 /// An arrow from `from` to `to` with a head of `size` millimetres.

@@ -19,7 +19,7 @@ double squaredDistance(const SheetPoint& p, const SheetPoint& a, const SheetPoin
   return x * x + y * y;
 }
 
-/// To the outline; negative outside.
+/// The distance to the outline; negative outside.
 double depthAt(std::span<const std::vector<SheetPoint>> rings, const SheetPoint& p) {
   bool isInside = false;
   double least = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// Where in an area there is most room for words.
+// Finds the place in an area with the most room for words.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@ namespace footfall::detail {
 
 struct RoomiestPlace {
   SheetPoint at;
-  double radius = 0;  ///< of the largest circle found inside
+  double radius = 0;  ///< radius of the largest circle found inside
 };
 
 /// The middle of a circle inside the area (its rings filled by the even-odd rule) that is as large as any, up to

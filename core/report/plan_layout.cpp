@@ -13,7 +13,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr double kMargin = 10;      // round the frame
-constexpr double kTitleBlock = 30;  // below the drawing
+constexpr double kTitleBlock = 30;  // height below the drawing
 constexpr double kBestA4 = 100;     // the scale from which on A3 is taken
 constexpr std::array kPapers{Paper::A4, Paper::A3, Paper::A2, Paper::A1, Paper::A0};
 // Shorter and longer sides.

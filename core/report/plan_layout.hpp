@@ -1,4 +1,4 @@
-// Where a plan lies on its paper, at which scale.
+// The place of a plan on its paper, and its scale.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,11 +15,11 @@ struct PlanWindow {
 };
 
 struct PlanLayout {
-  double width = 0, height = 0;  ///< of the paper, millimetres
-  SheetRectangle window;         ///< for the drawing
+  double width = 0, height = 0;  ///< size of the paper, millimetres
+  SheetRectangle window;         ///< area for the drawing
   double scale = 100;            ///< 1:100
   double unit = 1;               ///< millimetres on the paper for one unit of the environment
-  PlanPlace middle{};            ///< what lies in the middle of the window
+  PlanPlace middle{};            ///< place in the middle of the window
 
   [[nodiscard]] SheetPoint at(double x, double y) const {
     return {(window.lower.x + window.upper.x) / 2 + (x - middle[0]) * unit,
@@ -28,7 +28,7 @@ struct PlanLayout {
   [[nodiscard]] SheetPoint at(const PlanPlace& p) const { return at(p[0], p[1]); }
 };
 
-/// As PlanOptions say. Throws InputError when the scale does not fit the paper.
+/// Lays a plan out by its PlanOptions. Throws InputError when the scale does not fit the paper.
 PlanLayout layOutPlan(const PlanWindow& box, double metresPerUnit, const PlanOptions& options);
 
 /// "1:100"

@@ -10,8 +10,8 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kNear = 0.25;   // of the agent's height: floors at about one level
-constexpr double kLeast = 0.05;  // of the largest storey: what is smaller is a landing
+constexpr double kNear = 0.25;   // share of the agent's height: floors at about one level
+constexpr double kLeast = 0.05;  // share of the largest storey: smaller ones are landings
 
 struct Level {
   double height = 0, area = 0;

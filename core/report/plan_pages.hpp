@@ -1,4 +1,4 @@
-// Which triangles of a result are on which page of its plan.
+// Divides the triangles of a result over the pages of its plan.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

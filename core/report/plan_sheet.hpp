@@ -39,9 +39,9 @@ struct SheetPath {
 enum class SheetAnchor { Left, Middle, Right };
 
 struct SheetText {
-  SheetPoint at;     ///< on the base line
-  std::string text;  ///< UTF-8; PDF knows the letters of Western Europe and writes others as "?"
-  double size = 3;   ///< of the letters with what is above and below them
+  SheetPoint at;     ///< left end of the base line
+  std::string text;  ///< UTF-8; PDF has the letters of Western Europe and writes others as "?"
+  double size = 3;   ///< height of the letters with the space above and below
   SheetAnchor anchor = SheetAnchor::Left;
   Rgb colour{0, 0, 0};
   bool isBold = false;
@@ -54,8 +54,8 @@ using SheetShape = std::variant<SheetPath, SheetText>;
 struct Sheet {
   double width = 210, height = 297;  ///< millimetres
   std::string title;
-  SheetRectangle window;            ///< of `drawing`, which is cut off there
-  std::vector<SheetShape> drawing;  ///< below `frame`
+  SheetRectangle window;            ///< window of `drawing`, which is cut off there
+  std::vector<SheetShape> drawing;  ///< drawn below `frame`
   std::vector<SheetShape> frame;    ///< everything around
 };
 

@@ -77,7 +77,7 @@ std::vector<PlanFlight::Riser> joinSteps(const std::vector<Step>& steps, std::ve
     }
     riser.length += s.length;
     for (int k = 0; k < 2; ++k) riser.middle[k] += s.length * (s.a[k] + s.b[k]) / 2;
-    // To the right of the lower border.
+    // The direction is to the right of the lower border.
     riser.up[0] += s.b[1] - s.a[1];
     riser.up[1] -= s.b[0] - s.a[0];
   }

@@ -14,7 +14,7 @@ struct PlanFlight {
   struct Riser {
     PlanPlace middle{};
     PlanPlace up{};                      ///< one unit long, from the lower side to the upper one
-    double length = 0;                   ///< in the plan
+    double length = 0;                   ///< length in the plan
     std::uint32_t lower = 0, upper = 0;  ///< a triangle of the mesh on each side
   };
   std::vector<Riser> risers;

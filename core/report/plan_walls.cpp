@@ -14,11 +14,11 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 12;
-/// Of slopes in metres as in levels of a town there may be as many planes; more would be a picture of lines alone.
+/// Slopes in metres, as in levels of a town, may have this many planes; more would be a picture of lines alone.
 constexpr std::size_t kMostLevels = 4096;
 
 struct CutSegment {
-  PlanPlace from{}, to{};  ///< what is solid lies on the left
+  PlanPlace from{}, to{};  ///< ends; the solid side is on the left
   auto operator<=>(const CutSegment&) const = default;
 };
 
@@ -58,7 +58,7 @@ std::vector<double> levelsOf(const NavigationMesh& mesh, std::span<const std::ui
   for (const std::uint32_t t : triangles) {
     const HeightRange heights = heightsOf(mesh, t);
     if (heights.upper - heights.lower < tolerance) continue;
-    // At whole multiples, so that neighbours agree.
+    // Heights are whole multiples, so that neighbours agree.
     double at = std::ceil(heights.lower / tolerance) * tolerance;
     for (; at <= heights.upper && levels.size() < kMostLevels; at += tolerance)
       if (!hasNear(at)) levels[at] = true;
@@ -68,7 +68,7 @@ std::vector<double> levelsOf(const NavigationMesh& mesh, std::span<const std::ui
   return heights;
 }
 
-/// Where the edge from a to b crosses a height, the same for both directions.
+/// The crossing of the edge from a to b with a height, the same for both directions.
 PlanPlace crossing(const Vec3& a, const Vec3& b, double height) {
   const bool isTurned = std::tie(b.x, b.y, b.z) < std::tie(a.x, a.y, a.z);
   const Vec3 &p = isTurned ? b : a, &q = isTurned ? a : b;
@@ -100,7 +100,7 @@ double side(const PlanPlace& a, const PlanPlace& b, const PlanPlace& p) {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-/// Whether a segment comes nearer than `margin` to a triangle that is counter-clockwise.
+/// True when a segment comes nearer than `margin` to a triangle that is counter-clockwise.
 bool isNear(const CutSegment& s, const std::array<PlanPlace, 3>& t, double margin) {
   const auto isInside = [&t](const PlanPlace& p) {
     return side(t[0], t[1], p) >= 0 && side(t[1], t[2], p) >= 0 && side(t[2], t[0], p) >= 0;

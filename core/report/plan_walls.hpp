@@ -1,4 +1,4 @@
-// What of an environment stands on and around the floors of a plan: cut like the walls in an architect's drawing.
+// Cuts the obstacles on and around the floors of a plan, like the walls in an architect's drawing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -30,9 +30,9 @@ struct PlanWalls {
 };
 
 struct WallCut {
-  double cutHeight = 1.1;  ///< above a floor; all lengths in the environment's units
+  double cutHeight = 1.1;  ///< height above a floor; all lengths in the environment's units
   double tolerance = 0.5;  ///< floors whose heights differ by less are cut together
-  double margin = 0.5;     ///< how far from a floor walls are drawn, in the plan
+  double margin = 0.5;     ///< distance from a floor within which walls are drawn, in the plan
 };
 
 /// Cuts the environment at a height above the floors `triangles` of `mesh`: in one horizontal plane for all that lie
@@ -41,7 +41,7 @@ struct WallCut {
 PlanWalls cutWalls(const Environment& environment, const NavigationMesh& mesh, std::span<const std::uint32_t> triangles,
                    const WallCut& cut, Poll poll = {});
 
-/// Whether a place is inside a solid.
+/// True when a place is inside a solid.
 bool contains(const PlanSolid& solid, const PlanPlace& place);
 
 }  // namespace footfall::detail

@@ -133,7 +133,7 @@ std::string stepText(const StepStatistics& step) {
   return filter == nullptr ? step.name : formatStep({filter, step.parameters, true, 0});
 }
 
-/// What import left out, in a few lines; empty where it is nothing of area.
+/// The elements that import left out, in a few lines; empty when none has an area.
 std::string skippedLines(const Environment& environment) {
   constexpr std::size_t kShown = 3;
   const std::uint64_t polygons = environment.skipped.polygons;
@@ -155,7 +155,7 @@ Json skippedJson(const SkippedElements& skipped) {
   return {{"points", skipped.points}, {"lines", skipped.lines}, {"polygons", skipped.polygons}, {"listed", listed}};
 }
 
-/// What the steps of a mesh amount to, or its gaps.
+/// The figures of a mesh's steps, or gaps.
 struct LinkFigures {
   std::size_t count = 0;
   double planLength = 0, highest = 0, widest = 0;
@@ -180,7 +180,7 @@ LinkFigures measureLinks(const NavigationMesh& mesh, StepKind kind) {
   return figures;
 }
 
-/// What the drops of a mesh amount to.
+/// The figures of a mesh's drops.
 struct DropFigures {
   double planLength = 0, deepest = 0;
   /// Components to which drops lead from the largest one and from which nothing leads back, and those from which drops
@@ -188,7 +188,7 @@ struct DropFigures {
   std::size_t below = 0, above = 0;
 };
 
-/// Which components drops lead to from the first one, over others too; or from which to it.
+/// The components to which drops lead from the first one, over others too; or from which they lead to it.
 std::vector<char> reachedByDrops(const NavigationMesh& mesh, const Components& components, bool isBackwards) {
   std::vector<std::vector<std::uint32_t>> next(components.list.size());
   for (const DropLink& drop : mesh.drops) {
@@ -226,7 +226,8 @@ DropFigures measureDrops(const NavigationMesh& mesh, const Components& component
   return figures;
 }
 
-/// Of `total`, the area of all components; areas beyond all doubles count alike, as in Components::connectedShare().
+/// The share of `total`, the area of all components; areas beyond all doubles count alike, as in
+/// Components::connectedShare().
 double shareOf(double area, double total, const Components& components) {
   if (!(total > 0)) return 0;
   if (std::isfinite(total)) return area / total;

@@ -85,7 +85,7 @@ class Trace {
     if (collapse.wallMs > 0) add("merging", "phase", kRunLane, collapse.startMs, collapse.startMs + collapse.wallMs);
   }
 
-  // What a thread did on a cell without a break is one bar, with a bar for each filter inside.
+  // One bar for uninterrupted work of a thread on a cell, with a bar for each filter inside.
   void addLane(const BlockReport& block, int thread) {
     constexpr double kBreakMs = 0.05;
     std::vector<std::pair<std::size_t, const CellSpan*>> lane;

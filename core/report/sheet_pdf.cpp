@@ -11,7 +11,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kPoint = 72 / 25.4;  // in a millimetre
+constexpr double kPoint = 72 / 25.4;  // points in a millimetre
 constexpr double kHalo = 0.5;
 
 HPDF_REAL points(double millimetres) { return static_cast<HPDF_REAL>(millimetres * kPoint); }
@@ -36,7 +36,7 @@ std::string inLatin1(const std::string& utf8) {
   return text;
 }
 
-/// A document that frees itself. libharu keeps its first error and ignores what is asked of it afterwards.
+/// A document that frees itself. libharu keeps its first error and ignores later calls.
 class PdfDocument {
  public:
   PdfDocument() : document_(HPDF_New(nullptr, nullptr)) {

@@ -1,4 +1,4 @@
-// In place of sheet_pdf.cpp where libharu was not found.
+// Replaces sheet_pdf.cpp when libharu was not found.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/plan_sheet.hpp"
 #include "footfall/errors.hpp"

@@ -83,7 +83,7 @@ class SvgWriter {
       start += text.anchor == SheetAnchor::Middle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
     if (text.isBold) start += " font-weight=\"bold\"";
     const std::string words = " fill=\"" + colourText(text.colour) + "\">" + escapeHtml(text.text) + "</text>\n";
-    // Twice, as not every reader knows that a rim is to be painted first.
+    // Drawn twice, because not every reader paints a rim first.
     if (text.hasHalo) text_ += start + " stroke=\"#ffffff\" stroke-width=\"" + number(kHalo) + '"' + words;
     text_ += start + words;
   }

@@ -1,4 +1,4 @@
-// Which vertices of several tiles are one.
+// Finds which vertices of several tiles are one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -149,7 +149,7 @@ CellCollector::Floors CellCollector::findFloors(const OwnFloors& own, const Fits
     addTouching(floors.boxes, fits, context, floors, floors.near);
   }
   addTouching(floors.boxes, fits, context, floors, floors.near);
-  // As clearanceBox() has it.
+  // The height of a box in the clearance, as in clearanceBox().
   for (Box& box : floors.boxes) {
     if (rule_.step > 0) widen(box, rule_.gap, 0);
     box.upper[2] = std::nextafter(box.upper[2] + rule_.height, std::numeric_limits<double>::infinity());

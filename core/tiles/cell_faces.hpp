@@ -1,4 +1,4 @@
-// What the floors of one cell need of a packed environment, and nothing else of it.
+// The part of a packed environment that the floors of one cell need.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,13 +19,13 @@ struct FaceRange {
   [[nodiscard]] std::uint64_t size() const { return last - first; }
 };
 
-/// Which faces may be floors when they are first joined, and how high above them things matter.
+/// The rule for faces that may be floors when they are first joined, and for how high above them triangles matter.
 struct FloorRule {
   std::vector<double> slopes;   ///< degrees, all of which hold
   double height = 0;            ///< the largest clearance, or the step where that is larger
-  double step = 0;              ///< what borders that are linked may differ by; 0: none are
-  double gap = 0;               ///< how far apart they may be in the plan
-  std::vector<PartRole> roles;  ///< of Environment::parts; empty: all are floors
+  double step = 0;              ///< largest difference in height of linked borders; 0: no links
+  double gap = 0;               ///< largest distance in the plan of linked borders
+  std::vector<PartRole> roles;  ///< one role per Environment::parts; empty: all are floors
 };
 
 /// Floors whose borders gaps change.
@@ -53,26 +53,26 @@ struct OwnFloors {
   const FloorsAtGaps* listed = nullptr;  ///< sorted, in place of the range
 };
 
-/// What a face is to a cell. A cell sees the floors that steps lead to from its own ones; those that touch them are
-/// whole where they do.
+/// The role of a face for a cell. A cell sees the floors that steps lead to from its own ones; those that touch them
+/// are whole where they do.
 enum class CellKind : std::uint8_t { Other, Near, Seen, Own };
 
 /// Everything that decides what is left of the cell's own floors: they, those that it sees, the floors that touch
 /// them, and all that stands in the clearance above any of these.
 struct CellFaces {
   PackedFaces faces;
-  std::vector<CellKind> kinds;  ///< for each face
-  std::uint64_t floors = 0;     ///< of all kinds but Other
+  std::vector<CellKind> kinds;  ///< one kind per face
+  std::uint64_t floors = 0;     ///< number of faces of all kinds but Other
   int reach = 0;                ///< steps, over its own floors and under them, that it sees
   bool isListed = false;        ///< OwnFloors::listed
-  /// For each face 1 where its part is an obstacle only, or empty.
+  /// One flag per face: its part is an obstacle only; or empty.
   std::vector<std::uint8_t> obstacleOnly;
 };
 
 /// So many steps a cell sees at first: from its floors to others, and from those on.
 inline constexpr int kUsualReach = 2;
 
-/// How much a cell holds.
+/// The size of a cell.
 struct CellSize {
   std::uint64_t faces = 0, floors = 0;
 };
@@ -87,16 +87,16 @@ class CellCollector {
   [[nodiscard]] PartRole roleOf(std::uint32_t part) const {
     return rule_.roles.empty() ? PartRole::Floor : rule_.roles[part];
   }
-  /// Whether a face may be a floor when floors are first joined.
+  /// True when a face may be a floor when floors are first joined.
   [[nodiscard]] bool isFloor(const BlockFace& face) const;
 
-  /// Whether a cell may be as large as that; to be asked while it is collected.
+  /// Returns true when a cell may have the given size; called while it is collected.
   using Fits = std::function<bool(const CellSize&)>;
   /// Empty where it does not fit; `size` (may be null) is then how much of it was found, and all of it when `fits` is
   /// always true.
   std::optional<CellFaces> collect(const OwnFloors& own, const Fits& fits, RunContext& context, CellSize* size,
                                    int reach = kUsualReach) const;
-  /// How much a cell holds, without holding it.
+  /// The size of a cell, without holding it.
   [[nodiscard]] CellSize measure(const OwnFloors& own, RunContext& context, int reach = kUsualReach) const;
 
  private:
@@ -109,7 +109,7 @@ class CellCollector {
 
   const PackedEnvironment& environment_;
   FloorRule rule_;
-  std::vector<std::uint64_t> first_;  ///< of each block the number of its first face in their order; then how many
+  std::vector<std::uint64_t> first_;  ///< number of each block's first face in their order; then the number of all
 };
 
 }  // namespace footfall::detail

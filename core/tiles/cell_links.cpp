@@ -29,7 +29,7 @@ class LinkRows {
         stretchesAt_[borders_[border].edge].push_back(i);
   }
 
-  /// Whether there are fewer than `most`.
+  /// True when there are fewer than `most`.
   bool areShorterThan(int most, const RunContext& context) {
     for (const StepStretch& s : stretches_) {
       const std::array edges{edgeOf(s.first), edgeOf(s.second)};
@@ -46,7 +46,7 @@ class LinkRows {
     return true;
   }
 
-  /// The edges that they lead to, when areShorterThan() was asked.
+  /// True when links lead to the edge, after a call of areShorterThan().
   [[nodiscard]] bool leadTo(Index edge) const { return first_.contains(edge) || reached_.contains(edge); }
 
  private:
@@ -79,7 +79,7 @@ class LinkRows {
     open_.push_back(std::move(piece));
   }
 
-  // To all that is linked within the piece; single points spread nothing.
+  // Goes on to all that is linked within the piece; single points spread nothing.
   void goOnFrom(const Piece& piece) {
     for (const std::size_t i : stretchesAt_[piece.edge]) {
       const StepStretch& s = stretches_[i];
@@ -97,8 +97,8 @@ class LinkRows {
   const std::vector<StepStretch>& stretches_;
   MeshGeometry geometry_;
   const std::unordered_set<Index>& first_;
-  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
-  std::unordered_map<Index, std::vector<Part>> reached_;             ///< of edges
+  std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< stretches by edge
+  std::unordered_map<Index, std::vector<Part>> reached_;             ///< parts by edge
   std::vector<Piece> open_;
 };
 

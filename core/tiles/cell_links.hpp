@@ -1,10 +1,10 @@
 // Steps between the floors of a cell and those that it sees, exactly as in the whole environment.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What two borders have in common follows from both and what stands near them. A link puts vertices on both borders,
+// The link of two borders follows from both borders and the obstacles near them. A link puts vertices on both borders,
 // and each of them goes on to all borders that are linked there: always at one place of the plan, at most a step higher
-// or lower each time. So a cell that sees so many steps over and under its own floors as there are links in a row
-// there knows all vertices of its own borders.
+// or lower each time. So a cell that sees so many steps over and under its own floors as there are links in a row there
+// knows all vertices of its own borders.
 #pragma once
 
 #include <cstdint>
@@ -26,14 +26,14 @@ using StatePtr = std::shared_ptr<const WalkableState>;
 StatePtr withoutDropped(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
                         const DroppedTriangles& dropped);
 
-/// What a cell has of steps; faces are source triangles.
+/// The steps of a cell; faces are source triangles.
 struct LinkedCell {
   StatePtr state;
-  std::vector<char> isOwn;  ///< for each face; those at gaps are not
+  std::vector<char> isOwn;  ///< one flag per face; those at gaps are not own
   FloorsAtGaps atGaps{};    ///< own ones, which are for a cell of their own
 };
 
-/// What a StepFilter makes of what a cell sees. For own faces the mesh and the links are those of the whole; empty
+/// The result of a StepFilter on what a cell sees. For own faces the mesh and the links are those of the whole; empty
 /// where there are as many links in a row as the cell sees steps. `hasAllGaps`: the cell's own faces are those at gaps,
 /// of all cells.
 std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std::uint32_t>& numbers,
@@ -42,7 +42,7 @@ std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std
 
 /// A link with an edge of own faces.
 struct CellLink {
-  MeshLink link;                        ///< from the edge whose first triangle comes first
+  MeshLink link;                        ///< leads from the edge whose first triangle comes first
   bool hasFrom = false, hasTo = false;  ///< the first triangle with that edge, in that direction, is of an own face
   bool isShared = false;                ///< other faces have a triangle at either edge
 };

@@ -1,4 +1,4 @@
-// What became of a cell, as one rank tells it another.
+// The outcome of a cell, as sent from rank to rank.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,9 +22,9 @@ struct CellOutcome {
   FloorsAtGaps atGaps;
 };
 
-/// What cells took, of one rank or of all.
+/// The figures of cells, for one rank or for all.
 struct CellCounts {
-  std::uint64_t cells = 0;        ///< that ran, also those of which nothing is walkable
+  std::uint64_t cells = 0;        ///< number of cells that ran, including those without a walkable place
   std::uint64_t largestCell = 0;  ///< triangles that were in memory at once
   std::uint64_t collected = 0;    ///< triangles of all cells together: neighbours have some in common
   std::uint64_t refused = 0;      ///< cells that were made smaller because they would not have fitted

@@ -12,7 +12,7 @@ namespace {
 /// Faces that follow each other and weigh the same.
 struct Stretch {
   std::uint64_t first = 0, last = 0;
-  std::uint64_t bytes = 0;  ///< of one; not 0
+  std::uint64_t bytes = 0;  ///< bytes of one triangle; not 0
 };
 
 std::vector<Stretch> stretchesOf(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
@@ -100,7 +100,7 @@ std::vector<FaceRange> planCells(std::span<const PackedBlock> blocks, std::span<
   for (const Stretch& stretch : stretches) bytes += (stretch.last - stretch.first) * stretch.bytes;
   const std::uint64_t count = bytes / std::max<std::uint64_t>(limits.bytes, 1) + 1, most = bytes / count + 1;
   std::vector<FaceRange> cells;
-  std::uint64_t held = 0;  // by the last one
+  std::uint64_t held = 0;  // bytes that the last one held
   for (const Stretch& stretch : stretches)
     for (std::uint64_t first = stretch.first; first < stretch.last;) {
       if (cells.empty() || held >= most || cells.back().size() >= limits.mostFaces) {

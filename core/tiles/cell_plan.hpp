@@ -1,4 +1,4 @@
-// Which faces of a packed environment are a cell each, by what its blocks hold.
+// Divides a packed environment into cells, ranges of faces, by the content of its blocks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,16 +15,16 @@
 
 namespace footfall::detail {
 
-/// What looking at each block once tells.
+/// The findings of one look at each block.
 struct BlockSurvey {
-  Grid grid;                          ///< of all vertices but those that ignored faces alone have
-  std::vector<std::uint32_t> floors;  ///< of each block: faces that may be floors
+  Grid grid;                          ///< grid of all vertices but those of ignored faces alone
+  std::vector<std::uint32_t> floors;  ///< number of faces of each block that may be floors
 
   /// Puts the blocks of another one behind those of this one.
   void add(const BlockSurvey& other);
 };
 
-/// Of the blocks from `first` on that are before `last`. Keeps none of them.
+/// Surveys the blocks from `first` up to, not including, `last`. Keeps none of them.
 BlockSurvey surveyOf(const PackedEnvironment& environment, const CellCollector& collector, std::size_t first,
                      std::size_t last, RunContext& context);
 
@@ -32,7 +32,7 @@ std::string encodeSurvey(const BlockSurvey& survey);
 /// Throws BadBytes.
 BlockSurvey decodeSurvey(std::string_view bytes);
 
-/// How much a cell may take.
+/// The limits of a cell's size.
 struct CellLimits {
   std::uint64_t bytes = 0;
   std::uint64_t perFace = 0, perFloor = 0;  ///< bytes while a cell runs
@@ -40,8 +40,8 @@ struct CellLimits {
   std::uint64_t mostFaces = ~0ULL;
 };
 
-/// What a cell of these faces takes while it runs, by the limits. Within a block, floors are taken for evenly spread.
-/// `floors` are those of each block of the environment, here and below.
+/// The memory that a cell of these faces takes while it runs, by the limits. Floors count as evenly spread within a
+/// block. `floors` are those of each block of the environment, here and below.
 std::uint64_t runningBytes(std::span<const PackedBlock> blocks, std::span<const std::uint32_t> floors,
                            const FaceRange& faces, const CellLimits& limits);
 

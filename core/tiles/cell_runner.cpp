@@ -11,14 +11,14 @@
 namespace footfall::detail {
 namespace {
 
-// What a process holds without any triangle, and for each block, triangle and floor of a cell. A city takes half of it;
-// other levels cut their floors into more pieces.
+// The memory that a process holds without any triangle, and per block, triangle and floor of a cell. A city takes half
+// of it; other levels cut their floors into more pieces.
 constexpr std::uint64_t kOfProcess = std::uint64_t{64} << 20;
 constexpr std::uint64_t kOfBlock = 256, kOfFace = 500, kOfFloor = 1000;
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
-// With as much beside it.
+// Includes as much beside the triangle.
 constexpr std::uint64_t kOfTileTriangle = 2 * kOfUnionTriangle;
-// Into so many a city cuts them.
+// The number of pieces into which a city cuts a floor.
 constexpr double kTrianglesPerFloor = 1.7;
 
 /// Bytes of blocks that are kept from one cell for the next one, which is a neighbour.
@@ -65,7 +65,7 @@ CellRunner::CellRunner(const PackedEnvironment& environment, const CellSteps& st
   if (memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(kMegabyte);
 }
 
-// With some room, since places differ.
+// Leaves some room, since places differ.
 CellLimits CellRunner::limits(std::uint64_t mostFaces, double seen) const {
   const auto times = [](std::uint64_t bytes, double factor) {
     return static_cast<std::uint64_t>(static_cast<double>(bytes) * factor);
@@ -119,7 +119,7 @@ std::optional<MadeTile> CellRunner::make(const OwnFloors& own, const CellCollect
 // Empty when the cell does not fit, or does not reach far enough.
 std::optional<MadeTile> CellRunner::tryMake(const OwnFloors& own, const CellCollector::Fits& fits,
                                             const RegionSums::Inspect& inspect, bool& fit) {
-  // While it is collected, a cell holds less than half of what it takes then.
+  // A cell holds less than half of its final size while it is collected.
   environment_.keepBlocks(std::max(free() / 2, keptBetween(memory_)));
   const std::optional<CellFaces> cell = collector_.collect(own, fits, context_, nullptr, reach_);
   environment_.keepBlocks(keptBetween(memory_));

@@ -30,18 +30,18 @@ class CellRunner {
   [[nodiscard]] const CellCollector& collector() const { return collector_; }
   /// Those of the run; empty where all parts are floors.
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
-  /// How much a cell may take, where with all that it sees it takes `seen` times what its own faces do.
+  /// The limits of a cell that, with all that it sees, takes `seen` times what its own faces take.
   [[nodiscard]] CellLimits limits(std::uint64_t mostFaces, double seen) const;
-  /// What a cell takes while it runs, with all that it sees; it is not held.
+  /// The memory that a cell takes while it runs, with all that it sees; it is not held.
   [[nodiscard]] std::uint64_t measure(const FaceRange& range) const;
 
-  /// To be set before the first cell runs.
+  /// Call this before the first cell runs.
   void setGrid(const Grid& grid) { grid_ = grid; }
-  /// Whether cells have their steps now; and what is dropped before these.
+  /// Lets cells run their steps from now on, without the triangles in `dropped`.
   void link(DroppedTriangles dropped);
   /// So many bytes are in memory beside each cell.
   void charge(std::uint64_t bytes) { fixed_ += bytes; }
-  /// For triangles at once.
+  /// Bytes for triangles at one time.
   [[nodiscard]] std::uint64_t free() const { return memory_ - fixed_; }
 
   using Visit = std::function<void(const FaceRange& range, MadeTile& made)>;
@@ -59,7 +59,7 @@ class CellRunner {
   [[noreturn]] void failTooLittle(std::uint64_t bytes) const;
 
  private:
-  /// Whether tiles are to keep what filters over their borders need to know.
+  /// True when tiles keep the geometry that filters over their borders need.
   [[nodiscard]] bool isExact() const { return !steps_.global.empty(); }
   [[nodiscard]] std::uint64_t needed(const CellSize& size) const;
   std::optional<MadeTile> make(const OwnFloors& own, const CellCollector::Fits& fits,
@@ -77,9 +77,9 @@ class CellRunner {
   std::vector<PartRole> roles_;
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
-  std::uint64_t neededForTile_ = 0;  ///< of the last cell, for filters that see over the borders of tiles; or 0
+  std::uint64_t neededForTile_ = 0;  ///< for the last cell, if filters see over the borders of tiles; or 0
   Grid grid_;
-  int reach_ = kUsualReach;  ///< of the last cell
+  int reach_ = kUsualReach;  ///< reach of the last cell
   bool isLinked_ = false;    ///< cells have their steps now
   DroppedTriangles dropped_;
   CellCounts counts_;

@@ -29,7 +29,7 @@ bool isOfCells(const PipelineStep& step) {
   }
 }
 
-/// Behind all of those, tile by tile with what lies beside it.
+/// True for filters that run behind all of those, tile by tile with the neighbourhood of each tile.
 bool isOverTiles(const PipelineStep& step) {
   return step.filter->type == FilterType::LayerSubdivision ||
          (step.filter->type == FilterType::Simplification && step.values[0] == 0);
@@ -65,7 +65,7 @@ Pattern problemOf(const FilterDescriptor& filter) {
       "bound, with all of the environment in memory");
 }
 
-/// For each face of the source mesh whether its kind is at least `least`.
+/// One flag per face of the source mesh: its kind is at least `least`.
 std::vector<char> facesOfKind(const SourceMesh& mesh, const std::vector<CellKind>& kinds, CellKind least) {
   std::vector<char> chosen(mesh.triangles.size());
   for (std::size_t t = 0; t < chosen.size(); ++t) chosen[t] = static_cast<char>(kinds[mesh.inputTriangles[t]] >= least);
@@ -172,7 +172,7 @@ class TileMaker {
     tile_.faces.push_back(made);
   }
 
-  // Behind all vertices of the tile's own come those outside.
+  // Vertices outside follow all vertices of the tile's own.
   void addLink(const CellLink& link) {
     const auto numbered = [&](const std::array<Index, 2>& edge) {
       std::array<Index, 2> result{};
@@ -213,9 +213,9 @@ class TileMaker {
   const PlanKernel& kernel_;
   const SourceMesh& source_;
   const WalkableMesh& mesh_;
-  const std::vector<std::uint32_t>& sources_;  ///< of the cell's input triangles
-  std::vector<Index> numbers_;                 ///< in the tile, of the mesh's vertices, or -1
-  std::vector<char> isShared_;                 ///< of the mesh's vertices: other tiles know them, too
+  const std::vector<std::uint32_t>& sources_;  ///< number of each input triangle of the cell
+  std::vector<Index> numbers_;                 ///< number in the tile of each vertex of the mesh, or -1
+  std::vector<char> isShared_;                 ///< one flag per vertex of the mesh: other tiles have it, too
   std::vector<Index> used_, outside_;
   Tile tile_;
 };

@@ -24,7 +24,7 @@ class DroppedTriangles {
       for (std::uint32_t place = 0; place < face.triangles; ++place, ++t)
         if (keeps[static_cast<std::size_t>(regionOf[t])] == 0) keys_.push_back(keyOf(face.source, place));
   }
-  /// When all are there.
+  /// Call this when all are added.
   void sort() {
     std::sort(keys_.begin(), keys_.end());
     keys_.shrink_to_fit();

@@ -16,15 +16,15 @@
 
 namespace footfall::detail {
 
-/// To be raised with each change of the bytes, or of what a local filter finds; others are refused.
+/// Raise this with each change of the bytes, or of the result of a local filter; tiles of other versions are refused.
 inline constexpr std::uint64_t kTileVersion = 2;
 inline constexpr std::string_view kTileExtension = "fftile";
 
-/// What is left of one triangle of the environment.
+/// The remainder of one triangle of the environment.
 struct TileFace {
   std::uint32_t source = 0;     ///< the triangle's number in the environment
   std::uint32_t triangles = 0;  ///< so many of the tile's, behind those of the faces before; 0 where it is a plane only
-  std::array<Vec3, 3> corners;  ///< of the whole triangle, from its smallest on: the order of all faces goes by them
+  std::array<Vec3, 3> corners;  ///< corners of the whole triangle, the smallest first: all faces are ordered by them
   bool operator==(const TileFace&) const = default;
 };
 
@@ -42,7 +42,7 @@ struct TileBorder {
 
 /// A vertex that only other tiles have, to which a link leads.
 struct TileOutside {
-  Vec3 place;  ///< with `face` and `exact` its name, as in TileBorder
+  Vec3 place;  ///< its name, together with `face` and `exact`, as in TileBorder
   std::uint32_t face = 0;
   std::string exact;
   bool operator==(const TileOutside&) const = default;
@@ -53,14 +53,14 @@ struct TileOutside {
 /// tiles that have a triangle of either edge have it, in the same direction.
 struct TileLink {
   std::array<Index, 2> from{}, to{};
-  /// Of all triangles with that edge, in that direction, the first one is of this tile.
+  /// True when the first of all triangles with that edge, in that direction, is in this tile.
   bool hasFrom = false, hasTo = false;
   bool isGap = false;
   bool operator==(const TileLink&) const = default;
 };
 
-/// Where a triangle stands among all of its face, of which others may be in other tiles, and in whose plane it lies
-/// once triangles may span several faces.
+/// The position of a triangle among all of its face, some of which may be in other tiles, and the face in whose plane
+/// it lies once triangles may span several faces.
 struct TilePiece {
   std::uint32_t number = 0;  ///< ascending within a face, over all tiles
   Index plane = -1;          ///< an index into `faces`
@@ -70,26 +70,27 @@ struct TilePiece {
 /// A triangle of the environment over other corners.
 struct TileSource {
   std::array<Index, 3> corners{};
-  std::uint32_t number = 0;  ///< in the environment
+  std::uint32_t number = 0;  ///< number in the environment
   bool operator==(const TileSource&) const = default;
 };
 
-/// What vertices were made of: while a run still has to decide about them exactly.
+/// The definitions of vertices, kept while a run still has to decide exactly about them.
 struct TileGeometry {
   std::vector<double> heights;        ///< PlanKernel::heights()
-  std::vector<Vec3> corners;          ///< of the environment
+  std::vector<Vec3> corners;          ///< corners in the environment
   std::vector<TileSource> triangles;  ///< `corners` are indices into the list above
   /// One for each vertex of the tile. Their numbers (of plan ids, vertices and triangles) are places in these lists.
   std::vector<MeshVertex> vertices;
 };
 
 struct Tile {
-  std::vector<TileFace> faces;          ///< in the order of SourceMesh::triangles
+  std::vector<TileFace> faces;          ///< sorted as SourceMesh::triangles
   std::vector<MeshTriangle> triangles;  ///< `face` is an index into `faces`; ascending
-  std::vector<Vec3> places;             ///< of the vertices, in the order of their first use; the nearest doubles
-  std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
+  std::vector<Vec3> places;             ///< places of the vertices, in the order of their first use; the nearest
+                                        ///< doubles
+  std::vector<char> exact;              ///< 1 for each vertex whose place is exact
   std::vector<TileBorder> borders;      ///< ascending by vertex
-  std::vector<TileOutside> outside;     ///< in the order of their first use
+  std::vector<TileOutside> outside;     ///< sorted by first use
   std::vector<TileLink> links;
   std::vector<TilePiece> pieces;      ///< one for each triangle; empty: numbered from 0 on, in the plane of their face
   std::vector<std::uint32_t> layers;  ///< one for each triangle, or empty

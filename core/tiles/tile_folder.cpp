@@ -46,7 +46,7 @@ TileEntry decodeEntry(const std::string& bytes) {
 constexpr const char* kTile = "tile-";
 constexpr const char* kCell = "cell-";         // tiles and outcomes of cells begin with it
 constexpr const char* kOutcome = ".cell";      // and outcomes end with that
-constexpr const char* kBeside = ".footfall-";  // what a process that was killed had not renamed yet
+constexpr const char* kBeside = ".footfall-";  // name of a file that a killed process had not renamed yet
 
 bool isTile(const std::string& name) { return name.starts_with(kTile) && name.ends_with(kTileExtension); }
 
@@ -56,7 +56,7 @@ bool isOfCell(const std::string& name) {
 
 bool isBeside(const std::string& name) { return name.starts_with(kBeside); }
 
-// Of what can be seen of the folder.
+// The message about the visible content of the folder.
 template <class IsGone>
 void removeFiles(const std::string& folder, const IsGone& isGone) {
   std::error_code error;

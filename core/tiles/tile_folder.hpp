@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// While a run is under way, its folder has a file of this name.
+/// The name of a file in the folder of a run that is under way.
 inline constexpr const char* kUnfinishedRun = "unfinished";
 /// It may have these as well: what the other ranks look for, and the environment, packed for the run.
 inline constexpr const char* kSeenByRanks = "ranks";
@@ -51,7 +51,7 @@ class TileFolder : public TileStore {
   bool goesOn_ = false, leavesUnfinished_ = false;
 };
 
-/// Whether a run that did not end left the folder.
+/// True when a run that did not end left the folder.
 [[nodiscard]] bool hasUnfinished(const std::string& folder);
 
 /// Removes what a run that did not end left in its folder. No other process may be at work there.

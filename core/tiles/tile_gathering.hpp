@@ -22,10 +22,10 @@ class TileGathering {
   struct Whole {
     /// Triangles in the order of their faces; vertices in the order of their first use.
     PlacedMesh mesh;
-    std::vector<Index> addedAs;   ///< for each triangle how many were added before it
-    std::vector<double> heights;  ///< of the vertices: MeshVertex::z; empty unless all tiles had geometry
+    std::vector<Index> addedAs;   ///< number of each triangle in the order of addition
+    std::vector<double> heights;  ///< MeshVertex::z of the vertices; empty unless all tiles had geometry
   };
-  /// To be called once. Throws BadBytes where some tiles have layers and some not, or layers are out of range.
+  /// Call this once. Throws BadBytes when only some tiles have layers, or layers are out of range.
   Whole take(RunContext& context);
 
  private:
@@ -42,7 +42,7 @@ class TileGathering {
 
   std::vector<AddedFace> faces_;
   std::vector<MeshTriangle> triangles_;  ///< `face`: the number in the environment of the one in whose plane it lies
-  std::vector<std::uint32_t> numbers_;   ///< of each triangle within its face; empty: of none it is known
+  std::vector<std::uint32_t> numbers_;   ///< number of each triangle within its face; empty: unknown
   std::vector<std::uint32_t> layers_;
   std::vector<Vec3> places_;
   std::vector<char> exact_;

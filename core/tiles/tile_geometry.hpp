@@ -1,4 +1,4 @@
-// What vertices of a tile were made of, over numbers that hold for a part of the environment alone.
+// The definitions of a tile's vertices, over numbers that hold for a part of the environment alone.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,8 +31,8 @@ PlanPoint renumbered(const PlanPoint& point, PlanOf planOf, VertexOf vertexOf, T
   return PlanPoint::crossing(first, second, point.face() < 0 ? -1 : triangleOf(point.face()));
 }
 
-/// What these vertices of a kernel's mesh are made of. `numbers` has for each of its input triangles the number in the
-/// environment; empty: they are that.
+/// The definitions of these vertices of a kernel's mesh. `numbers` holds the number in the environment of each of its
+/// input triangles; empty: they are the same.
 TileGeometry geometryOf(const PlanKernel& kernel, std::vector<MeshVertex> vertices,
                         const std::vector<std::uint32_t>& numbers);
 

@@ -35,7 +35,7 @@ class TileJoiner {
 };
 
 struct JoinedTiles {
-  std::vector<TileSet> sets;  ///< of each folder
+  std::vector<TileSet> sets;  ///< one set per folder
   std::shared_ptr<const NavigationMesh> mesh;
 };
 

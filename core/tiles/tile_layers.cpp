@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Which triangles lie above one another is found out tile by tile, and for each two tiles that overlap in the plan.
-// What goes from triangle to triangle over the whole, growing pieces and choosing their layers, needs nothing exact
-// any more: corners by number, one height for each triangle, and the pairs. These are in memory at once.
+// Overlapping triangles are found tile by tile, and for each two tiles that overlap in the plan. The steps that go from
+// triangle to triangle over the whole, growing pieces and choosing their layers, need no exact values: only corners by
+// number, one height for each triangle, and the pairs. All of these are in memory at once.
 #include <oneapi/tbb/enumerable_thread_specific.h>
 #include <oneapi/tbb/parallel_for.h>
 
@@ -30,7 +30,7 @@ namespace {
 using Pair = std::array<Index, 2>;
 using Tree = BoxTree<2>;
 
-/// What a triangle takes while layers are chosen, and a pair that overlaps.
+/// The bytes of a triangle while layers are chosen, and of a pair that overlaps.
 constexpr std::uint64_t kOfTriangle = 400, kOfPair = 48;
 constexpr Index kPerTask = 256;
 
@@ -176,7 +176,7 @@ class TileLayers {
     return gathering.take(context_);
   }
 
-  // For each triangle as it was added.
+  // One layer per triangle, in the order of addition.
   std::vector<std::uint32_t> layersOf(TileGathering::Whole whole) {
     WalkableMesh mesh;
     mesh.triangles = std::move(whole.mesh.triangles);
@@ -197,7 +197,7 @@ class TileLayers {
 
   TileStage& stage_;
   RunContext& context_;
-  std::vector<std::uint64_t> first_;  ///< of each tile how many triangles are in those before it; then in all
+  std::vector<std::uint64_t> first_;  ///< number of triangles before each tile; then of all
   std::vector<Pair> pairs_;           ///< numbers of triangles as tiles have them one behind the other
 };
 

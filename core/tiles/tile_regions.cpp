@@ -154,7 +154,7 @@ void RegionSums::add(const Tile& tile, const TileRegions& regions) {
   }
 }
 
-// For each region the first one that hangs together with it.
+// The first region that hangs together with it, of each region.
 std::vector<Index> RegionSums::unite() {
   DisjointSets sets(areas_.size());
   const auto key = [](const Edge& edge) { return std::pair(edge.from, edge.to); };
@@ -203,7 +203,7 @@ std::vector<std::vector<char>> RegionSums::largerThan(double minimum, const Find
   return result;
 }
 
-// For each doubtful region what the roots are of that are summed: a square for each of its faces.
+// The squares of the roots that are summed for each doubtful region: one per face.
 std::map<Index, std::vector<mpq_class>> RegionSums::rootsOf(const std::vector<Index>& rootOf,
                                                             const std::vector<char>& isDoubtful,
                                                             const FindAgain& findAgain, const Poll& poll) const {
@@ -215,7 +215,7 @@ std::map<Index, std::vector<mpq_class>> RegionSums::rootsOf(const std::vector<In
     if (!any) continue;
     findAgain(i, [&](const Tile& tile, const ExactPlaceOf& placeOf) {
       const TileRegions regions = findTileRegions(tile, grid_, poll);
-      std::map<std::pair<Index, Index>, mpq_class> plans;  // of each region and face, twice the area in the plan
+      std::map<std::pair<Index, Index>, mpq_class> plans;  // twice the area in the plan, by region and face
       for (std::size_t t = 0; t < tile.triangles.size(); ++t) {
         const std::size_t region = first_[i] + static_cast<std::size_t>(regions.regionOf[t]);
         if (!isDoubtfulHere(region)) continue;

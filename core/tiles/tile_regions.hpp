@@ -17,8 +17,8 @@
 
 namespace footfall::detail {
 
-/// What a tile knows of its regions by itself (design, AreaFilter). Triangles that meet on a seam are of several here,
-/// since a triangle of another tile may say that an obstacle stands there.
+/// The regions of a tile as far as it can find them alone (model, Area). Triangles that meet on a seam are of several
+/// here, since a triangle of another tile may say that an obstacle stands there.
 struct TileRegions {
   /// A side of a triangle of which other tiles have both ends.
   struct Seam {
@@ -31,8 +31,8 @@ struct TileRegions {
     std::size_t link = 0;
     Index region = -1;
   };
-  std::vector<Index> regionOf;     ///< for each triangle
-  std::vector<ErrorDouble> areas;  ///< for each region twice its area, in scaled coordinates of the grid
+  std::vector<Index> regionOf;     ///< one region per triangle
+  std::vector<ErrorDouble> areas;  ///< twice the area of each region, in scaled coordinates of the grid
   std::vector<Seam> seams;
   std::vector<Passage> passages;
 };
@@ -51,8 +51,8 @@ class RegionSums {
   /// Finds a tile again with its places, and calls inspect() with them.
   using Inspect = std::function<void(const Tile&, const ExactPlaceOf&)>;
   using FindAgain = std::function<void(std::size_t tile, const Inspect& inspect)>;
-  /// Which regions are larger than `minimum`, for each tile and each of its regions; exactly as AreaFilter decides it.
-  /// To be called once, when all tiles are there.
+  /// One flag per region of each tile: it is larger than `minimum`, decided exactly as by AreaFilter. Call this once,
+  /// when all tiles are there.
   std::vector<std::vector<char>> largerThan(double minimum, const FindAgain& findAgain, const Poll& poll);
 
  private:
@@ -76,7 +76,7 @@ class RegionSums {
   std::vector<Edge> edges_;
   std::vector<Passage> passages_;
   std::vector<ErrorDouble> areas_;
-  std::vector<std::size_t> first_{0};  ///< of each tile the first of its regions among all; then how many
+  std::vector<std::size_t> first_{0};  ///< number of each tile's first region among all; then the number of all
 };
 
 /// A tile without the triangles of some regions, and the links that lead to no other one: `keeps` has one for each.

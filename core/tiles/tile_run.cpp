@@ -100,7 +100,7 @@ class TileRun {
     return decodeSurvey(ranks_.fromFirst(encodeSurvey(all), context_));
   }
 
-  // What cells see beside their own is different in each environment, and for each pipeline: some are measured where
+  // Cells see a different amount beside their own faces in each environment and pipeline, so some are measured when
   // there are many.
   std::vector<FaceRange> planOf(const BlockSurvey& survey) {
     constexpr double kInCity = 1.2, kInCityWithSteps = 1.7;
@@ -115,7 +115,7 @@ class TileRun {
     double seen = 1;
     for (std::size_t i = 0; i < samples; ++i) {
       const std::size_t number = usual.size() * (2 * i + 1) / (2 * samples);
-      // By the rank that is to begin there, mostly.
+      // The rank that is to begin there usually measures it.
       if (number * static_cast<std::size_t>(ranks_.size()) / usual.size() != static_cast<std::size_t>(ranks_.rank()))
         continue;
       const FaceRange& cell = usual[number];
@@ -168,7 +168,7 @@ class TileRun {
     return outcome;
   }
 
-  // What a run that was killed left of a cell.
+  // The outcome of a cell that a killed run left.
   std::optional<CellOutcome> keptCell(const std::string& name, std::size_t cell) try {
     const std::string bytes = store_.keptCell(name);
     if (bytes.empty()) return std::nullopt;
@@ -180,7 +180,7 @@ class TileRun {
       if (!piece.written.empty() && !store_.has(piece.written)) return std::nullopt;
     ++takenOver_;
     return std::move(outcomes[0]);
-  } catch (const BadBytes&) {  // of another build: the cell runs again
+  } catch (const BadBytes&) {  // Another build wrote it: the cell runs again.
     return std::nullopt;
   }
 
@@ -261,7 +261,7 @@ class TileRun {
     }
   }
 
-  // What gaps change, of all cells.
+  // Runs the faces that gaps change, of all cells.
   void runGaps() {
     if (atGaps_.floors.empty()) return;
     atGaps_.sort();
@@ -275,8 +275,7 @@ class TileRun {
     returnFreedMemory();
   }
 
-  // Regions hang together over borders: what each tile knows of its own is put together. For each tile, which of its
-  // regions stay.
+  // Unites regions over the borders of tiles. Returns one flag per region of each tile: it stays.
   std::vector<std::vector<char>> largeRegions(double minimum) {
     context_.beginStep(kTileRunSteps - 1, "areas");
     RegionSums sums(grid_);
@@ -338,8 +337,8 @@ class TileRun {
   Grid grid_;
   FloorsAtGaps atGaps_;
   bool isAgain_ = false;          ///< cells have a tile each already
-  bool hasListed_ = false;        ///< behind the tiles of cells there is one of what gaps change
-  std::vector<FaceRange> cells_;  ///< of each tile
+  bool hasListed_ = false;        ///< true when a tile of the faces that gaps change follows those of the cells
+  std::vector<FaceRange> cells_;  ///< one range per tile
   std::uint64_t takenOver_ = 0;   ///< cells of an earlier run
   TileRunResult result_;
 };

@@ -17,28 +17,29 @@
 
 namespace footfall::detail {
 
-/// Of so many steps of progress each cell begins that one up to which the triangles before it are.
+/// The number of progress steps of a run. Cells count in order; each adds its share of the triangles.
 inline constexpr std::size_t kTileRunSteps = 1000;
 
 struct TileRunOptions {
   std::uint64_t memory = 0;         ///< bytes that the process may hold at once
-  std::uint64_t mostFaces = ~0ULL;  ///< of the environment, that a cell has for itself; tests make it small
-  TileSlice slice{};                ///< of the environment, to be run alone
-  std::vector<PartRole> roles{};    ///< of Environment::parts (rolesOf()); empty: all are floors
+  std::uint64_t mostFaces = ~0ULL;  ///< the most faces of the environment that a cell has for itself; tests make it
+                                    ///< small
+  TileSlice slice{};                ///< part of the environment that runs alone
+  std::vector<PartRole> roles{};    ///< one role per Environment::parts (rolesOf()); empty: all are floors
 };
 
-/// What one rank did.
+/// The figures of one rank.
 struct TileRankStatistics {
   CellCounts counts;
-  std::uint64_t bytesRead = 0;  ///< of the packed environment
-  std::uint64_t peakBytes = 0;  ///< of the process
+  std::uint64_t bytesRead = 0;  ///< bytes of the packed environment
+  std::uint64_t peakBytes = 0;  ///< peak of the process
   double wallMs = 0, cpuMs = 0;
 };
 
 struct TileRunResult {
   TileSet set;
-  CellCounts counts;                      ///< of all ranks
-  std::vector<TileRankStatistics> ranks;  ///< by rank
+  CellCounts counts;                      ///< sum over all ranks
+  std::vector<TileRankStatistics> ranks;  ///< one entry per rank
   double wallMs = 0, cpuMs = 0;
 };
 

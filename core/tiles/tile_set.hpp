@@ -16,14 +16,14 @@
 namespace footfall::detail {
 
 inline constexpr const char* kTileIndex = "index.json";
-/// What to do where files of a folder are not what they should be.
+/// The advice when files of a folder are damaged or missing.
 inline constexpr Pattern kRunTilesAgain = FOOTFALL_TEXT("run `footfall run --memory` again");
 
 struct TileEntry {
   std::string file;  ///< its name in the folder
   std::uint64_t faces = 0, triangles = 0, vertices = 0, borders = 0;
   std::uint64_t links = 0;  ///< those whose first triangle it has: each link is one of one tile
-  Box box;                  ///< of its vertices, Z up
+  Box box;                  ///< box of its vertices, Z up
   Digest::Value sum{};
 };
 
@@ -35,11 +35,11 @@ struct TileSlice {
 struct TileSet {
   SourceFrame frame;
   Digest::Value environment{};  ///< PackedEnvironment::tableSum()
-  bool bothSides = false;       ///< of the run: an option may differ from what the file says
-  std::vector<PartRole> roles;  ///< of the run, one for each part, or empty where all are floors
+  bool bothSides = false;       ///< as in the run: an option may differ from the file
+  std::vector<PartRole> roles;  ///< as in the run, one per part, or empty when all are floors
   TileSlice slice;
   std::string pipeline;         ///< formatPipeline()
-  std::uint64_t triangles = 0;  ///< of the environment
+  std::uint64_t triangles = 0;  ///< triangles of the environment
   std::vector<TileEntry> tiles;
 };
 
@@ -51,7 +51,7 @@ TileEntry writeTile(const std::string& folder, const std::string& file, const Ti
 
 /// JSON. The same set gives the same text.
 std::string formatTileIndex(const TileSet& set);
-/// Whether a text begins as all indices do.
+/// True when a text begins as all indices do.
 bool beginsAsTileIndex(std::string_view text);
 
 /// Throws InputError "PATH: what; what to do" where the folder has no index or it is none, and Cancelled.

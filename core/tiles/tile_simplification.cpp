@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// What becomes of a group of triangles (simplifier.hpp) follows from the group alone, and whether triangles are of one
-// group, from the triangles at their corners. So each tile is looked at with what touches it. Groups that lie within it
-// are done with. The others are known by their triangles beyond the border: these tell which groups of other tiles they
-// are parts of. Such groups are then put together from all their tiles, as many at once as the memory holds.
+// The simplification of a group of triangles (simplifier.hpp) depends on the group alone, and the groups on the
+// triangles at their corners. So each tile is processed with the triangles that touch it. Groups within it are
+// finished. The others have triangles beyond the border, which identify the groups of other tiles that they are parts
+// of. Such groups are then put together from all their tiles, as many at once as the memory holds.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -23,7 +23,7 @@ namespace {
 
 using Changed = TileUnion::Changed;
 
-/// What simplifying made of each triangle, and in which group.
+/// The triangles and groups after simplifying.
 SimplifierMemory simplified(const TileUnion& made, RunContext& context) {
   const Adjacency topology = findEdges(made.mesh().triangles, made.mesh().vertices.size(), Poll(context));
   SimplifierMemory memory;
@@ -31,8 +31,8 @@ SimplifierMemory simplified(const TileUnion& made, RunContext& context) {
   return memory;
 }
 
-/// Which triangles of a tile have a vertex in common with chosen ones: by number where these are of the same tile, else
-/// by the names of their vertices.
+/// The triangles of a tile that share a vertex with chosen ones: by number when these are of the same tile, else by the
+/// names of their vertices.
 std::vector<char> trianglesAround(const Tile& tile, const std::vector<char>& chosen, const BorderNames& names) {
   std::vector<char> isNear(tile.places.size(), 0), found(tile.triangles.size(), 0);
   for (const TileBorder& border : tile.borders)
@@ -45,7 +45,7 @@ std::vector<char> trianglesAround(const Tile& tile, const std::vector<char>& cho
   return found;
 }
 
-/// For each chosen vertex of a tile whether it is an end of a link.
+/// One flag per chosen vertex of a tile: it is an end of a link.
 std::vector<char> linkedOf(const Tile& tile, const std::vector<Index>& numbers, std::size_t count) {
   std::vector<char> isLinked(tile.links.empty() ? 0 : count, 0);
   for (const TileLink& link : tile.links)
@@ -99,7 +99,7 @@ class TileSimplification {
     Index triangle = -1;
   };
 
-  // What is known of groups and links, beside the triangles.
+  // The bytes of all data about groups and links, beside the triangles.
   [[nodiscard]] std::uint64_t bytesKnown() const {
     return groupParts_.size() * sizeof(GroupPart) + partTriangles_ * sizeof(PartTriangle) +
            beside_.size() * sizeof(Beside) + links_.size() * sizeof(NamedLink);
@@ -136,7 +136,7 @@ class TileSimplification {
     keepWithin(i, made, memory);
   }
 
-  // Which vertices other tiles know as well: those of triangles that are not its own, and ends of links.
+  // The vertices that other tiles have as well: those of triangles that are not its own, and ends of links.
   [[nodiscard]] static std::vector<char> namedOf(const TileUnion& made) {
     std::vector<char> isNamed(made.mesh().vertices.size(), 0);
     for (Index t = 0; t < static_cast<Index>(made.mesh().triangles.size()); ++t)
@@ -203,7 +203,7 @@ class TileSimplification {
     stage_.add(tile, stage_.tiles);
   }
 
-  // For each part of a group the first part of the whole group.
+  // The first part of the whole group, of each part.
   [[nodiscard]] std::vector<Index> uniteParts() {
     DisjointSets sets(groupParts_.size());
     for (const Beside& beside : beside_) {
@@ -221,7 +221,7 @@ class TileSimplification {
     const std::vector<Index> groupOf = uniteParts();
     std::vector<std::uint64_t> sizes(groupOf.size(), 0);
     for (std::size_t p = 0; p < groupOf.size(); ++p) sizes[groupOf[p]] += groupParts_[p].triangles;
-    // With as much around them.
+    // Includes the triangles around them.
     stage_.require(bytesKnown());
     const std::uint64_t most = (stage_.memory - bytesKnown()) / kOfUnionTriangle / 2;
     std::vector<Index> batchOf(groupOf.size(), -1);
@@ -246,7 +246,7 @@ class TileSimplification {
     }
   }
 
-  /// For each triangle of a tile whether it is of the batch; empty where none is.
+  /// One flag per triangle of a tile: it is in the batch; empty when none is.
   [[nodiscard]] std::vector<char> chosenOf(std::size_t i, const std::vector<Index>& batchOf, Index batch) const {
     std::vector<char> chosen;
     for (const auto& [triangle, part] : partsOf_[i]) {
@@ -293,10 +293,10 @@ class TileSimplification {
   RunContext& context_;
   std::vector<StoredTile> given_;
   std::vector<GroupPart> groupParts_;
-  std::vector<std::vector<PartTriangle>> partsOf_;  ///< for each tile; ascending
-  std::uint64_t partTriangles_ = 0;                 ///< in all of these
+  std::vector<std::vector<PartTriangle>> partsOf_;  ///< parts of each tile; ascending
+  std::uint64_t partTriangles_ = 0;                 ///< number of triangles in all of these
   std::vector<Beside> beside_;
-  std::vector<NamedLink> links_;  ///< that no tile has yet
+  std::vector<NamedLink> links_;  ///< links that no tile has yet
 };
 
 }  // namespace

@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// What a triangle takes in a TileUnion while a filter works on it.
+/// The bytes of a triangle in a TileUnion while a filter works on it.
 inline constexpr std::uint64_t kOfUnionTriangle = 1500;
 
 /// A box around what rounds to these places.
@@ -25,7 +25,7 @@ Box boxAround(std::span<const Vec3> places);
 struct StoredTile {
   std::size_t number = 0;
   std::uint64_t triangles = 0;
-  Box box;  ///< of its vertices as they are, not of their rounded places
+  Box box;  ///< box of its vertices, not of their rounded places
 };
 
 StoredTile storedTileOf(std::size_t number, const Tile& tile);
@@ -33,9 +33,9 @@ StoredTile storedTileOf(std::size_t number, const Tile& tile);
 /// The tiles of a run, all with geometry.
 struct TileStage {
   TileStore& store;
-  std::size_t count = 0;          ///< of tiles that the store was given
-  std::vector<StoredTile> tiles;  ///< that are in use
-  Grid grid;                      ///< of the whole environment
+  std::size_t count = 0;          ///< number of tiles that the store was given
+  std::vector<StoredTile> tiles;  ///< tiles in use
+  Grid grid;                      ///< grid of the whole environment
   std::uint64_t memory = 0;       ///< bytes for triangles at once
   /// Throws what says that so many bytes are needed in its place.
   std::function<void(std::uint64_t needed)> failTooLittle;

@@ -1,4 +1,4 @@
-// Where a run keeps tiles that it does not hold.
+// The interface to tiles that a run does not hold in memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// Where the tiles of a run are kept, numbered from 0 on.
+/// The place where the tiles of a run are kept, numbered from 0 on.
 class TileStore {
  public:
   TileStore() = default;
@@ -19,7 +19,7 @@ class TileStore {
 
   virtual void add(const Tile& tile) = 0;
   virtual Tile read(std::size_t number) = 0;
-  /// By one that has less of it, or nothing.
+  /// Replaces a tile by one that has less of it, or nothing.
   virtual void replace(std::size_t number, const Tile& tile) = 0;
 
   /// Writes a tile that has no number yet, under a name that no other has. Returns what take() is to be given, by this
@@ -28,17 +28,17 @@ class TileStore {
   /// Makes a written tile the one of that number; that of the first one behind all others adds it.
   virtual void take(std::size_t number, const std::string& written) = 0;
 
-  // Where a store outlives a run that is killed, the next one finds what became of cells.
+  // The outcomes of cells in a store that outlives a killed run:
 
-  /// Rank 0, before all others: whether there is something of an earlier run of the same, which `what` tells from all
-  /// others. Throws InputError where there is something else.
+  /// Called by rank 0 before all others. True when there is something of an earlier run with the same `what`, which
+  /// identifies it. Throws InputError when there is something else.
   virtual bool begin(const std::string& /*what*/) { return false; }
   /// All ranks: there is. What is there stays when this run fails.
   virtual void goOn() {}
   virtual void keepCell(const std::string& /*name*/, const std::string& /*bytes*/) {}
   /// Empty where there is none.
   virtual std::string keptCell(const std::string& /*name*/) { return {}; }
-  /// Whether a tile of an earlier run is whole.
+  /// True when a tile of an earlier run is whole.
   virtual bool has(const std::string& /*written*/) { return false; }
 };
 

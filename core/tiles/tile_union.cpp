@@ -34,7 +34,7 @@ void TileUnion::makeKernel(const Grid& grid, RunContext& context) {
     for (const TileSource& triangle : geometry.triangles) all.push_back(sourceFaceOf(triangle, geometry.corners));
   }
   std::sort(all.begin(), all.end(), comesBefore);
-  const auto isSame = [](const TileFace& a, const TileFace& b) { return !comesBefore(a, b); };  // of sorted ones
+  const auto isSame = [](const TileFace& a, const TileFace& b) { return !comesBefore(a, b); };  // Both are sorted.
   all.erase(std::unique(all.begin(), all.end(), isSame), all.end());
   context.checkCancelled();
   std::vector<Vec3> vertices;
@@ -85,11 +85,11 @@ MeshVertex TileUnion::vertexOf(const Origin& origin) const {
   return vertex;
 }
 
-// In the order of the whole: triangles by their faces and numbers, vertices by their first use.
+// Order of the whole: triangles by their faces and numbers, vertices by their first use.
 void TileUnion::addMesh(RunContext& context) {
   using Place = std::tuple<Index, std::uint32_t, std::uint32_t, Index>;  // face, number there, part, number there
   std::vector<Place> order;
-  std::vector<std::vector<Index>> numbers;  // for each part of its vertices
+  std::vector<std::vector<Index>> numbers;  // numbers of the vertices of each part
   BorderNames names;
   std::vector<Origin> added;
   bool isLayered = false;

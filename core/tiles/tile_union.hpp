@@ -21,32 +21,32 @@ class TileUnion {
   struct Part {
     std::size_t tile = 0;  ///< whatever the caller numbers them by
     Tile triangles;
-    std::vector<Index> numbers{};  ///< of each triangle in the tile; empty: it is the whole tile
-    std::vector<char> isOwn{};     ///< for each triangle; empty: all are
-    std::vector<char> isLinked{};  ///< for each vertex whether it is an end of a link; or empty
+    std::vector<Index> numbers{};  ///< number in the tile of each triangle; empty: it is the whole tile
+    std::vector<char> isOwn{};     ///< one flag per triangle; empty: all are own
+    std::vector<char> isLinked{};  ///< one flag per vertex: it is an end of a link; or empty
   };
   struct Origin {
     std::uint32_t part = 0;
-    Index number = -1;  ///< in the part
+    Index number = -1;  ///< number in the part
   };
 
   /// `grid` is that of the whole environment. No two parts are of one tile.
   TileUnion(std::vector<Part> parts, const Grid& grid, RunContext& context);
 
   [[nodiscard]] const PlanKernel& kernel() const { return *kernel_; }
-  /// With a link, from a vertex to itself, for each vertex that is an end of one.
+  /// Vertices that are ends of links are marked by a link from the vertex to itself.
   [[nodiscard]] const WalkableMesh& mesh() const { return mesh_; }
   [[nodiscard]] const Part& partOf(Index triangle) const { return parts_[triangles_[triangle].part]; }
   [[nodiscard]] const Tile& firstPart() const { return parts_.front().triangles; }
   [[nodiscard]] bool isOwn(Index triangle) const;
   /// The vertex of the mesh that a vertex of a part is.
   [[nodiscard]] Index vertexOfPart(std::size_t part, Index vertex) const { return numbers_[part][vertex]; }
-  /// What other tiles know the vertex by.
+  /// The name of the vertex for other tiles.
   [[nodiscard]] TileOutside outsideOf(Index vertex) const;
   /// The triangle's number in its tile.
   [[nodiscard]] Index numberInTile(Index triangle) const;
 
-  /// What became of a triangle of the mesh: it has its place in the order of all.
+  /// A changed triangle of the mesh, with its place in the order of all.
   struct Changed {
     Index triangle = -1;
     MeshTriangle now;
@@ -65,10 +65,10 @@ class TileUnion {
   std::vector<Part> parts_;
   std::shared_ptr<const PlanKernel> kernel_;
   WalkableMesh mesh_;
-  /// For each part the numbers of its faces, and of its geometry's triangles and corners, in the kernel's mesh.
+  /// The numbers of the faces, and of the geometry's triangles and corners, of each part in the kernel's mesh.
   std::vector<std::vector<Index>> faces_, sources_, corners_;
-  std::vector<Origin> triangles_, vertices_;  ///< of the mesh
-  std::vector<std::vector<Index>> numbers_;   ///< for each part those of its vertices in the mesh
+  std::vector<Origin> triangles_, vertices_;  ///< origins of the mesh's triangles and vertices
+  std::vector<std::vector<Index>> numbers_;   ///< numbers of each part's vertices in the mesh
 };
 
 }  // namespace footfall::detail
