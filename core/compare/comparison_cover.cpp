@@ -13,13 +13,13 @@
 namespace footfall::detail::comparison {
 namespace {
 
-/// How much the winding numbers of the two sets grow from the right of an edge to its left.
+/// The growth of the winding numbers of the two sets from the right of an edge to its left.
 using Jump = std::array<int, 2>;
 
 Jump operator+(const Jump& a, const Jump& b) { return {a[0] + b[0], a[1] + b[1]}; }
 Jump operator-(const Jump& a, const Jump& b) { return {a[0] - b[0], a[1] - b[1]}; }
 
-/// From the lower end (by x, then y) to the upper one.
+/// Runs from the lower end (by x, then y) to the upper one.
 struct Segment {
   std::uint32_t from, to;
   Jump jump;
@@ -258,7 +258,7 @@ class Arrangement {
     return probe;
   }
 
-  /// Whether the point is at x or to the right of it.
+  /// True when the point is at x or to the right of it.
   [[nodiscard]] bool isAtOrAfter(const Probe& probe, std::uint32_t point) const {
     if (const double d = probe.x - rounded_[point][0]; std::fabs(d) > kUnclear) return d > 0;
     const CoverPoint &p = points_[segments_[probe.segment].from], &q = points_[segments_[probe.segment].to];
@@ -291,8 +291,8 @@ class Arrangement {
 
   struct Sums {
     std::array<bool, 3> hasArea{};
-    std::array<mpz_class, 3> whole;       ///< of uncut segments
-    std::array<mpf_class, 3> fractional;  ///< of pieces
+    std::array<mpz_class, 3> whole;       ///< areas of uncut segments
+    std::array<mpf_class, 3> fractional;  ///< areas of pieces
     std::vector<CoverPiece> borders;
   };
 
@@ -381,7 +381,7 @@ class Arrangement {
   std::vector<Segment> segments_;
   std::vector<Box> boxes_;
   TriangleTree tree_;
-  std::vector<std::vector<Place>> cuts_;  ///< of each segment, rising
+  std::vector<std::vector<Place>> cuts_;  ///< cuts of each segment, rising
 };
 
 }  // namespace

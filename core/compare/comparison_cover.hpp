@@ -1,4 +1,4 @@
-// What two sets of polygons of one plane cover: alone and together, decided exactly.
+// The area that two sets of polygons of one plane cover, alone and together, decided exactly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Outlines are cancelled before anything is arranged: every edge carries how much the two winding numbers change
@@ -48,7 +48,7 @@ struct CoverPiece {
 };
 
 struct CoverResult {
-  std::array<bool, 3> hasArea{};  ///< by CoverPart, exact
+  std::array<bool, 3> hasArea{};  ///< indexed by CoverPart, exact
   /// Twice the areas in squared units of the grid. Computed with so many digits that the relative error is below
   /// 2^-60, however small they are.
   std::array<mpf_class, 3> twiceArea;

@@ -25,17 +25,17 @@ using NearestTree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 constexpr std::size_t kRange = 256;
 constexpr std::size_t kMostQueries = std::size_t{1} << 21;
 
-// Of coordinates that are about 1 at most. Corners of pieces and distances are rounded a few times each, and halving
-// ends long before 60 levels.
+// The error of coordinates that are about 1 at most. Corners of pieces and distances are rounded a few times each, and
+// halving ends long before 60 levels.
 constexpr double kSlack = 256 * std::numeric_limits<double>::epsilon();
-constexpr double kNear = 0x1p-24;  // closer than this, exact numbers tell whether a sample lies on the surface
+constexpr double kNear = 0x1p-24;  // below this distance, exact numbers decide whether a sample lies on the surface
 
 Vec3 middle(const Vec3& a, const Vec3& b) { return {a.x / 2 + b.x / 2, a.y / 2 + b.y / 2, a.z / 2 + b.z / 2}; }
 
 using Corners = std::array<Vec3, 3>;
 
-/// The distance to a point of the triangle that is as close as doubles tell: never less than the true distance but for
-/// the rounding of its coordinates, however thin the triangle is.
+/// The distance to a point of the triangle that is nearest by doubles: never less than the true distance but for the
+/// rounding of its coordinates, however thin the triangle is.
 double distanceTo(const Corners& t, const Vec3& p) {
   double best = std::numeric_limits<double>::infinity();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -57,7 +57,7 @@ struct Nearest {
   std::uint32_t triangle = 0;
 };
 
-/// The places of all positions, multiplied by a power of two that brings the largest coordinate to about 1, so that no
+/// The places of all positions, multiplied by a power of two that scales the largest coordinate to about 1, so that no
 /// product of them overflows or loses digits.
 struct ScaledPlaces {
   std::vector<Vec3> places;
@@ -99,7 +99,7 @@ class Target {
     tree_.insert(kernelTriangles_.begin(), kernelTriangles_.end());
     tree_.build();
     context.checkCancelled();
-    tree_.accelerate_distance_queries();  // now, and not when the first of many threads asks
+    tree_.accelerate_distance_queries();  // Built now, not in the first query of many threads.
   }
 
   [[nodiscard]] const Corners& corners(std::uint32_t triangle) const { return triangles_[triangle]; }
@@ -297,7 +297,7 @@ class OneSided {
   const Target target_;
   double error_;
   RunContext& context_;
-  std::vector<Nearest> nearest_;  ///< of the positions in use
+  std::vector<Nearest> nearest_;  ///< nearest triangle of each position in use
   SurfaceDistances result_;
 };
 

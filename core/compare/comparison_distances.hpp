@@ -1,4 +1,4 @@
-// How far two surfaces are from each other.
+// The distances between two surfaces.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -24,7 +24,7 @@ class CoveredPart {
         finer_(static_cast<unsigned>(std::max(0, kWidth - positions_.width))),
         context_(context) {}
 
-  /// Finds what `other` may cover of the triangles asked for.
+  /// Finds the triangles of `other` that may cover the chosen ones.
   void prepare(const Surface& other) {
     other_ = &other;
     std::vector<Box> boxes(other.triangles.size());
@@ -67,10 +67,10 @@ class CoveredPart {
   struct Outlines {
     std::vector<CoverPoint> points;
     std::vector<CoverEdge> edges;
-    std::unordered_map<std::uint32_t, std::uint32_t> numbers;  ///< of positions among the points
+    std::unordered_map<std::uint32_t, std::uint32_t> numbers;  ///< number of each position among the points
   };
 
-  /// In units of the meshes, with numbers of positions.
+  /// In the meshes' units, with numbers of positions.
   [[nodiscard]] std::vector<CoverTriangle> partsOf(const Outlines& outlines, std::vector<CoverPiece> borders) const {
     std::erase_if(borders, [](const CoverPiece& piece) { return piece.part != kOnlyFirst; });
     std::vector<std::uint32_t> positions(outlines.points.size(), CoverCorner::kNoPoint);

@@ -185,7 +185,7 @@ std::string verdict(const MeshComparison& comparison) {
   return "Different as exact sets; " + howDifferent(comparison) + ".\n";
 }
 
-/// The steps are told beside the verdict on the sets; nothing where neither has any.
+/// The sentence on steps, which follows the verdict on the sets; empty when neither mesh has any.
 std::string linkVerdict(const MeshComparison& comparison) {
   if (comparison.meshes[0].links + comparison.meshes[1].links == 0) return {};
   if (comparison.hasEqualLinks()) return "Both have the same steps.\n";
@@ -194,7 +194,7 @@ std::string linkVerdict(const MeshComparison& comparison) {
   return "Their steps differ.\n";
 }
 
-/// As of steps.
+/// The same for drops.
 std::string dropVerdict(const MeshComparison& comparison) {
   if (comparison.meshes[0].drops + comparison.meshes[1].drops == 0) return {};
   if (comparison.equalDrops) return "Both have the same drops.\n";

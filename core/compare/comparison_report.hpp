@@ -23,8 +23,8 @@ std::string formatComparison(const std::array<NavigationMeshFile, 2>& files, con
 std::string formatComparisonJson(const std::array<NavigationMeshFile, 2>& files, const MeshComparison& comparison,
                                  const ComparisonTimes& times);
 
-/// For two meshes that are not equal: by how much they differ where heights may differ by a rounding, in half a
-/// sentence. All numbers are bounds from above.
+/// Half a sentence about two meshes that are not equal: by how much they differ when heights may differ by a rounding.
+/// All numbers are bounds from above.
 std::string howDifferent(const MeshComparison& comparison);
 
 }  // namespace footfall::detail

@@ -78,7 +78,7 @@ class SetSubtraction {
 
  private:
   struct Group {
-    std::size_t first, last;  ///< of planes_
+    std::size_t first, last;  ///< range in planes_
     [[nodiscard]] std::size_t size() const { return last - first; }
   };
   struct Covered {
@@ -139,7 +139,7 @@ class SetSubtraction {
     return covered;
   }
 
-  /// In the plan, or seen along another axis where the plane is vertical.
+  /// Arranges in the plan, or seen along another axis when the plane is vertical.
   [[nodiscard]] Covered arrange(const Group& group) const {
     const auto& normal = planes_[group.first].numbers;
     const std::size_t axis = normal[2] != 0 ? 2 : normal[0] != 0 ? 0 : 1;

@@ -22,10 +22,10 @@ struct DifferentPlane {
   std::vector<CoverPiece> borders;
 };
 
-/// What is in one set only, as planes with borders, and as triangles that are alone in their plane.
+/// The parts in one set only, as planes with borders, and as triangles that are alone in their plane.
 struct DifferenceBorders {
   std::vector<DifferentPlane> planes;
-  std::array<std::vector<std::uint32_t>, 2> triangles;  ///< of the surfaces, rising
+  std::array<std::vector<std::uint32_t>, 2> triangles;  ///< triangles of the surfaces, rising
 };
 
 /// Surfaces have common area only where triangles lie in exactly one plane, so each plane is looked at by itself.

@@ -28,7 +28,7 @@ struct Positions {
 /// One of the two meshes. Only triangles with an area: all others are no part of the set.
 struct Surface {
   std::vector<Triangle> triangles;       ///< numbers of positions, in the order of the file
-  std::vector<std::uint32_t> numbers;    ///< for each the triangle of the file
+  std::vector<std::uint32_t> numbers;    ///< number in the file of each triangle
   std::vector<std::uint32_t> positions;  ///< those in use, each once, rising
 };
 

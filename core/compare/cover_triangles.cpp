@@ -12,7 +12,7 @@
 namespace footfall::detail::comparison {
 namespace {
 
-/// Between a piece below it and one above it, from one vertical line to another.
+/// The area between a piece below it and one above it, from one vertical line to another.
 struct Trapezoid {
   std::uint32_t below, above;  ///< indices of pieces
   double left, right;
@@ -145,7 +145,7 @@ class PartSweep {
   std::vector<CoverPiece> pieces_;
   std::vector<std::uint32_t> byStart_, byEnd_;
   std::vector<std::uint32_t> active_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, double> open_;  ///< with their left ends
+  std::map<std::pair<std::uint32_t, std::uint32_t>, double> open_;  ///< open trapezoids with their left ends
   std::vector<Trapezoid> done_;
 };
 

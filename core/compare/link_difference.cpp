@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kPolled = 1024;
 
-/// On the grid of the positions. Of a step: x, y, lower height, upper height. Of a gap: both places, six numbers.
+/// A place on the grid of the positions. A step has x, y, lower height, upper height; a gap has both places, six
+/// numbers.
 template <std::size_t D>
 using Point = std::array<mpz_class, D>;
 
@@ -29,7 +30,7 @@ struct Line {
   }
 };
 
-/// Where a mesh begins and ends to have a step along a line: by the coordinate that is first in its direction.
+/// A place where a step of a mesh begins or ends along a line, by the coordinate that is first in its direction.
 struct Event {
   mpz_class at;
   std::size_t mesh;
@@ -67,7 +68,7 @@ class LinkLines {
   }
 
  private:
-  /// Which of the two edges of a gap comes first must be the same for all pieces of it: the one towards larger x, or y.
+  /// The order of the two edges of a gap must be the same for all its pieces: first the one towards larger x, or y.
   static bool isForwards(const NavigationMesh& mesh, const std::array<std::uint32_t, 2>& edge) {
     const Vec3 &a = mesh.vertices[edge[0]], &b = mesh.vertices[edge[1]];
     return a.x != b.x ? a.x < b.x : a.y < b.y;
@@ -82,7 +83,8 @@ class LinkLines {
       return stepAt(mesh, first, second);
     }
   }
-  /// Over the place in the plan of the lower vertex: both have the same, unless rounding moved them apart.
+  /// The step at the place in the plan of the lower vertex: both vertices have the same, unless rounding moved them
+  /// apart.
   [[nodiscard]] Point<4> stepAt(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
     const bool isRising = mesh.vertices[first].z <= mesh.vertices[second].z;
     const Vec3 &low = mesh.vertices[isRising ? first : second], &high = mesh.vertices[isRising ? second : first];
@@ -111,7 +113,7 @@ class LinkLines {
 
   static std::size_t leading(const Line<D>& line) { return line.direction[0] != 0 ? 0 : 1; }
 
-  /// What only the first mesh, only the second and both have, along the leading coordinate.
+  /// The lengths that only the first mesh, only the second and both have, along the leading coordinate.
   static std::array<mpz_class, 3> subtractOn(std::vector<Event>& events) {
     std::ranges::sort(events, {}, &Event::at);
     std::array<mpz_class, 3> lengths{};

@@ -1,4 +1,4 @@
-// Where two navigation meshes differ as sets of points: as triangles to draw, and as a list of regions.
+// The difference of two navigation meshes as sets of points: as triangles to draw, and as a list of regions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,17 +17,17 @@ namespace footfall::detail {
 /// plane.
 struct DifferentRegion {
   std::uint32_t mesh = 0;  ///< the mesh that has it: 0 or 1
-  double area = 0;         ///< of the surface, of its triangles: rounded
+  double area = 0;         ///< surface area of its triangles: rounded
   Vec3 lower, upper;       ///< the box around it
 };
 
 struct SurfaceDifference {
-  /// What is only in the first mesh and only in the second: whether there is anything is exact, areas to 14 digits.
+  /// The parts that only the first mesh and only the second have. Their existence is exact, areas have 14 digits.
   std::array<bool, 2> hasArea{};
   std::array<SurfaceArea, 2> areas;
   /// The same as triangles, with corners rounded to doubles and in the winding of an area that faces up.
   std::array<std::vector<std::array<Vec3, 3>>, 2> triangles;
-  /// For each triangle its place in `regions`.
+  /// The index in `regions` of each triangle.
   std::array<std::vector<std::uint32_t>, 2> regionOf;
   std::vector<DifferentRegion> regions;  ///< largest first
 

@@ -1,4 +1,4 @@
-// How far a place of the walkable area is from walls and from ledges (model, Margins).
+// The distance of a place of the walkable area from walls and from ledges (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,7 +25,8 @@ class BorderDistances {
   [[nodiscard]] const WalkableState& state() const { return state_; }
 
  private:
-  /// Whether one gets straight on from a place on a triangle to a place on another one. What touches is in.
+  /// True when a straight way leads from a place on a triangle to a place on another one. Places on borders count as
+  /// inside.
   [[nodiscard]] bool leadsTo(Index triangle, const PlanVector& from, Index goal, const PlanVector& to) const;
 
   WalkableState state_;

@@ -9,15 +9,16 @@
 
 namespace footfall::detail {
 
-/// In the environment's units.
+/// A doorway, in the environment's units.
 struct Doorway {
   double width = 0, height = 0;
 };
 
-/// Of each level rectangle that faces down, is at most a metre deep, and has at both of its short sides the top of an
-/// upright triangle, which is as high as the doorway: those from 0.4 to 4 m wide and 1.4 m high, which leaves out most
-/// windows. Two triangles make a rectangle, with the vertices of the jambs. Not every level has its doorways like that,
-/// and what is found need not be one; rounded. Takes time in proportion to the triangles, and a sorting of the walls.
+/// Finds level rectangles that face down, are at most a metre deep, and have at both short sides the top of an upright
+/// triangle, which is as high as the doorway. Those from 0.4 to 4 m wide and at least 1.4 m high count, which leaves
+/// out most windows. Two triangles make a rectangle, with the vertices of the jambs. Not every level has such doorways,
+/// and not every such rectangle is one. Rounded. The time is proportional to the number of triangles, plus sorting the
+/// walls.
 std::vector<Doorway> findDoorways(const Environment& environment, const Poll& poll = {});
 
 }  // namespace footfall::detail

@@ -37,7 +37,7 @@ struct GenericNumber {
 
 class GenericPlace {
  public:
-  /// At (x, y), moved towards (towardsX, towardsY); where these are the same place, along x.
+  /// The place (x, y), moved towards (towardsX, towardsY); if these are the same place, along x.
   GenericPlace(mpq_class x, mpq_class y, const mpq_class& towardsX, const mpq_class& towardsY);
 
   [[nodiscard]] const mpq_class& x() const { return x_; }
@@ -45,7 +45,7 @@ class GenericPlace {
 
   /// +1 left of the line from a to b in the plan, -1 right of it; 0 only when a and b are above each other.
   [[nodiscard]] int side(const ExactPoint& a, const ExactPoint& b) const;
-  /// Whether it is inside a triangle in the plan, whatever way that faces; never inside a vertical one.
+  /// True when it is inside a triangle in the plan, whichever way that faces; never true for a vertical one.
   [[nodiscard]] bool isInside(const std::array<ExactPoint, 3>& corners) const;
   /// The height of the plane through three points here; empty when it is vertical or they are collinear.
   [[nodiscard]] std::optional<GenericNumber> heightOf(const std::array<ExactPoint, 3>& corners) const;

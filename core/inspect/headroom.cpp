@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::size_t kPlacesPerRange = 512;
 
-/// How far rounding may have moved a coordinate: a few operations of half a unit in the last place each.
+/// The distance by which rounding may have moved a coordinate: a few operations of half a unit in the last place each.
 constexpr double kRounding = 8 * 0x1p-53;
 
-/// From a corner towards the middle of its triangle: too little to see, and far beyond rounding.
+/// The move from a corner towards the middle of its triangle: too little to see, and far beyond rounding.
 constexpr double kInward = 0x1p-10;
 
 Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }

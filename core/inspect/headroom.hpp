@@ -19,14 +19,15 @@
 
 namespace footfall::detail {
 
-/// What may be above something: all triangles of an environment that are not vertical. Immutable; shared by threads.
+/// The triangles that may be above something: all triangles of an environment that are not vertical. Immutable; shared
+/// by threads.
 class HeadroomTree {
  public:
   /// O(n log n), in parallel. `poll` is called every few milliseconds, by any thread, and may throw to cancel.
   explicit HeadroomTree(std::shared_ptr<const Environment> environment, Poll poll = {});
 
   struct Above {
-    double height = 0;           ///< of the triangle above the place, > 0
+    double height = 0;           ///< height of the triangle above the place, > 0
     std::uint32_t triangle = 0;  ///< index into Environment::triangles
   };
   /// The lowest triangle straight above a place (finite, environment units, Z up), less than `cap` above it. A triangle
@@ -42,8 +43,8 @@ class HeadroomTree {
   TriangleTree tree_;
 };
 
-/// For each place the free height above it, or `cap` where that is at least `cap` (environment units, > 0; infinity is
-/// fine). In parallel; `poll` as above, about every millisecond.
+/// The free height above each place, or `cap` if that is at least `cap` (environment units, > 0; infinity is fine). In
+/// parallel; `poll` as above, about every millisecond.
 std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> places, double cap, Poll poll = {});
 
 /// The same at the corners of a mesh's triangles, three for each, as seen from inside the triangle: where a walkable

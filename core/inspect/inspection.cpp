@@ -28,11 +28,11 @@ struct InspectedRun {
   Pipeline pipeline;
   std::shared_ptr<const NavigationMesh> product;
   std::vector<std::size_t> steps;  ///< the enabled ones
-  std::vector<StatePtr> states;    ///< before the first step and after each
+  std::vector<StatePtr> states;    ///< one before the first step and one after each
   Components components;
-  std::vector<std::int32_t> faceOf;  ///< for each triangle of the environment its number in the first state
+  std::vector<std::int32_t> faceOf;  ///< number in the first state of each triangle of the environment
   mutable std::mutex distancesMutex;
-  mutable std::map<std::size_t, std::shared_ptr<const BorderDistances>> distances;  ///< by place in `states`
+  mutable std::map<std::size_t, std::shared_ptr<const BorderDistances>> distances;  ///< keyed by place in `states`
 };
 
 }  // namespace detail
@@ -40,8 +40,8 @@ struct InspectedRun {
 using namespace detail;
 namespace {
 
-// Of the environment's diagonal: typed coordinates are rounded. It chooses which place is meant, and decides nothing
-// about it.
+// A share of the environment's diagonal: typed coordinates are rounded. It chooses the place that is meant, and decides
+// nothing about it.
 constexpr double kTypedReach = 1e-6;
 
 double slopeOf(const SourceMesh& mesh, Index face) {
@@ -73,7 +73,7 @@ PlaceVerdict verdictOf(const FilterDescriptor& filter) {
   return PlaceVerdict::Moved;
 }
 
-/// How far walls and ledges are in one of the states; `step` made it.
+/// The distances to walls and ledges in one of the states; `step` made it.
 BorderDistances::Nearest distancesAt(const InspectedRun& run, std::size_t number, PlaceFollower follower,
                                      const PipelineStep& step, RunContext& context) {
   std::shared_ptr<const BorderDistances> distances;
@@ -91,8 +91,8 @@ BorderDistances::Nearest distancesAt(const InspectedRun& run, std::size_t number
   return distances->at(cover->triangle, follower.place().x().get_d(), follower.place().y().get_d(), context);
 }
 
-/// Too near a wall or a ledge. If neither, the tolerance took more, and it is what is nearer beside what is asked; or
-/// the way there bends, as it does to what keeps more away.
+/// The place is too near a wall or a ledge. If neither, the tolerance removed more, and the cause is the nearer border
+/// beside the place; or the way to it bends, as it does to what keeps more away.
 PlaceVerdict verdictOfRadius(const BorderDistances::Nearest& nearest, const std::vector<double>& values) {
   const double wall = nearest.wall.value_or(std::numeric_limits<double>::infinity());
   const double ledge = nearest.ledge.value_or(std::numeric_limits<double>::infinity());
@@ -116,7 +116,7 @@ double areaOf(const WalkableMesh& mesh, const MeshTriangle& t) {
   return detail::areaOf({a.x, a.y, a.z}, {b.x, b.y, b.z}, {c.x, c.y, c.z});
 }
 
-/// Of the region around a place, as AreaFilter saw it.
+/// The area of the region around a place, as AreaFilter computed it.
 double regionAreaAt(const StatePtr& before, PlaceFollower follower, const PipelineStep& step, RunContext& context) {
   ExactFallbacks fallbacks;
   const StatePtr state = withMesh(before, context, fallbacks);
@@ -252,7 +252,7 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
     return result;
   }
   if (cover->face != face) result.floor = mesh.inputTriangles[cover->face];
-  // Before the first RadiusFilter, or where there is none, at the end.
+  // True before the first RadiusFilter, or, without one, at the end.
   bool isMeasured = false;
   const auto measure = [&](std::size_t s, const PlaceFollower& there) {
     isMeasured = true;

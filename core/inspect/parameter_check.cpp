@@ -24,7 +24,7 @@ struct Risers {
   std::size_t triangles = 0;
 };
 
-/// Of walls that are no higher than `limit`.
+/// The most frequent height of walls that are no higher than `limit`.
 Risers mostFrequent(const std::vector<double>& heights, double limit) {
   Risers best;
   for (auto first = heights.begin(); first != heights.end() && *first <= limit;) {

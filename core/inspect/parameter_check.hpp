@@ -13,10 +13,10 @@
 
 namespace footfall::detail {
 
-/// What parameters are compared with; measured once for an environment, in its units.
+/// The measures with which parameters are compared; taken once for an environment, in its units.
 struct LevelMeasures {
-  Vec3 size;                        ///< of the box around its vertices, the height last
-  std::vector<double> wallHeights;  ///< of upright triangles with a level side, ascending; two make a wall
+  Vec3 size;                        ///< size of the box around its vertices, the height last
+  std::vector<double> wallHeights;  ///< heights of upright triangles with a level side, ascending; two make a wall
   std::vector<Doorway> doorways;    ///< findDoorways()
   double metresPerUnit = 1;
   bool scaleGuessed = false;
@@ -26,8 +26,8 @@ struct LevelMeasures {
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll = {});
 
 struct ParameterNote {
-  std::optional<std::size_t> step;  ///< of the pipeline, from 0; empty: it is about the scale
-  Text text;                        ///< what will go wrong and what to do
+  std::optional<std::size_t> step;  ///< step of the pipeline, from 0; empty: the note is about the scale
+  Text text;                        ///< the problem and the advice
 };
 
 /// The notes on a pipeline's enabled steps:

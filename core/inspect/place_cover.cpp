@@ -18,7 +18,7 @@ ExactPoint exactPlace(const PlanKernel& kernel, const MeshVertex& v) {
   return v.source >= 0 ? exactPoint(kernel.mesh().vertices[v.source]) : kernel.exactPosition(v.point, v.face);
 }
 
-/// Where a mesh's rounded coordinates may hold the place.
+/// The range in which a mesh's rounded coordinates may hold the place.
 struct Window {
   std::array<double, 2> x, y;
 
@@ -42,7 +42,7 @@ struct Window {
   }
 };
 
-/// How far a step may move what it does not take away.
+/// The distance by which a step may move what it does not remove.
 double reachOf(const PipelineStep& step, const SourceMesh& before) {
   if (step.filter->type == FilterType::Duplication) return step.values[0];
   if (step.filter->type != FilterType::Simplification || step.values[0] == 0) return 0;
@@ -54,7 +54,7 @@ double reachOf(const PipelineStep& step, const SourceMesh& before) {
   return step.values[1] * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
 }
 
-/// Whether the plane of a triangle is at most `reach` from a point `height` above it.
+/// True when the plane of a triangle is at most `reach` from a point `height` above it.
 bool isWithin(const std::array<ExactPoint, 3>& corners, const mpq_class& height, double reach) {
   const auto& [a, b, c] = corners;
   const auto [nx, ny, nz] = cross(b - a, c - a);

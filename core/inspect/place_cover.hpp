@@ -14,7 +14,7 @@ namespace footfall::detail {
 /// A floor of a state at the place.
 struct PlaceCover {
   Index face = -1;      ///< source triangle in whose plane it is
-  Index triangle = -1;  ///< of the state's mesh; -1 where the state has none yet
+  Index triangle = -1;  ///< triangle of the state's mesh; -1 when the state has none yet
 };
 
 class PlaceFollower {
@@ -22,12 +22,12 @@ class PlaceFollower {
   /// Begins with the plane of a triangle of the first generation, which must not be vertical. `mesh` must live as long.
   PlaceFollower(const SourceMesh& mesh, Index face, GenericPlace place);
 
-  /// What carries the place before the first filter: the triangle itself, or the first other one of its plane.
+  /// The triangle under the place before the first filter: the triangle itself, or the first other one of its plane.
   std::optional<PlaceCover> begin(const WalkableState& state);
 
-  /// What carries it after a step that made `state` from the last one; empty: nothing any more. Where the step moved
-  /// vertices, what came of the same input triangles; and what is no farther from the place than the step may move
-  /// something.
+  /// The triangle under the place after a step that made `state` from the last one; empty: none any more. After a step
+  /// that moved vertices, it comes from the same input triangles and is no farther from the place than the step may
+  /// move something.
   std::optional<PlaceCover> follow(const WalkableState& state, const PipelineStep& step);
 
   [[nodiscard]] const GenericPlace& place() const { return place_; }

@@ -1,4 +1,4 @@
-// What lies above and below one place of the plan, exactly.
+// The triangles above and below one place of the plan, exactly.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

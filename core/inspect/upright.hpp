@@ -1,4 +1,4 @@
-// Which triangles are walls.
+// Decides which triangles are walls.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@
 
 namespace footfall::detail {
 
-/// Whether a triangle stands upright: seen from above it has a length, and within roundings no area. For notes only,
-/// as what is nearly upright may be told as either.
+/// True when a triangle stands upright: seen from above it has a length, and within roundings no area. For notes only,
+/// because nearly upright triangles may count as either.
 inline bool isUpright(const std::array<Vec3, 3>& p) {
   constexpr double kFlat = 1e-9;  // area in the plan, by the square of the longest side
   const double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);

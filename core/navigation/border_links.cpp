@@ -15,7 +15,7 @@ double BorderLink::size() const { return std::max({gap, std::fabs(rise), kind ==
 namespace detail {
 namespace {
 
-constexpr double kClearlyLess = 1 - 1e-9;  // what is nearer by less than that is no reason to leave the middle
+constexpr double kClearlyLess = 1 - 1e-9;  // smaller improvements are no reason to leave the middle
 constexpr double kTiny = 1e-12;            // times the largest coordinate: far above what rounding adds to lengths
 
 double along(double a, double b, double s) { return s <= 0 ? a : s >= 1 ? b : a + s * (b - a); }
@@ -23,14 +23,14 @@ Vec3 pointAt(const SurfaceBorder& e, double s) {
   return {along(e.from.x, e.to.x, s), along(e.from.y, e.to.y, s), along(e.from.z, e.to.z, s)};
 }
 
-/// Where the border is nearest to a place in the plan.
+/// The place of the border nearest to a place in the plan.
 double nearestIn(const SurfaceBorder& e, const Vec3& p) {
   const double ux = e.to.x - e.from.x, uy = e.to.y - e.from.y, square = ux * ux + uy * uy;
   const double s = ((p.x - e.from.x) * ux + (p.y - e.from.y) * uy) / square;
   return square > 0 ? std::clamp(s, 0.0, 1.0) : 0;
 }
 
-/// Of two borders: the best place so far.
+/// The best place so far between two borders.
 class Choice {
  public:
   Choice(const SurfaceBorder& a, const SurfaceBorder& b, double step) : a_(a), b_(b), step_(step) {
@@ -51,7 +51,7 @@ class Choice {
     link.isInterval = isInterval;
     if (!best_ || (lackAt(*best_) > tiny_ && lackAt(link) < kClearlyLess * lackAt(*best_))) best_ = link;
   }
-  /// What a step of the agent does not overcome.
+  /// The part of a link that the agent's step does not overcome.
   [[nodiscard]] double lackAt(const BorderLink& link) const { return excessOf(link, 0, step_); }
   [[nodiscard]] const std::optional<BorderLink>& best() const { return best_; }
   /// Lengths up to this are none.
@@ -97,7 +97,7 @@ SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology&
 
 std::vector<SurfaceBorder> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                        const SurfaceParts& parts) {
-  // Over a joined side lies a triangle of the mesh with the same two vertices, over a step one with others.
+  // A joined side has a neighbour in the mesh with the same two vertices, a step one with others.
   const auto isJoined = [&](const Triangle& f, std::size_t k, std::uint32_t neighbour) {
     if (neighbour >= mesh.triangles.size()) return false;  // none, or a bridge over a gap
     const Triangle& other = mesh.triangles[neighbour];

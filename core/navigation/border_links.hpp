@@ -16,7 +16,8 @@ namespace footfall::detail {
 /// The parts of a mesh: what hangs together over edges and over all of its steps, also those that paths do not take
 /// because a side leads to several (SurfaceTopology).
 struct SurfaceParts {
-  std::vector<std::uint32_t> of;  ///< of each triangle, numbered from 0 by first triangles; SurfaceTopology::kNone
+  std::vector<std::uint32_t> of;  ///< component of each triangle, numbered from 0 by first triangles;
+                                  ///< SurfaceTopology::kNone
   std::uint32_t count = 0;
 };
 SurfaceParts findSurfaceParts(const NavigationMesh& mesh, const SurfaceTopology& topology);
@@ -33,7 +34,7 @@ struct SurfaceBorder {
 std::vector<SurfaceBorder> findBorders(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                        const SurfaceParts& parts);
 
-/// What an agent of that height, step and gap lacks at a place (BorderLink::excess).
+/// The excess of a place for an agent of that height, step and gap (BorderLink::excess).
 double excessOf(const BorderLink& link, double height, double step, double gap = 0);
 
 /// The place on each border where the larger of the gap in the plan and of the rise beyond `step` is least, among: the
@@ -41,9 +42,8 @@ double excessOf(const BorderLink& link, double height, double step, double gap =
 /// one lies over the other with both walkable sides on the same side.
 ///
 /// Computed in doubles. Both places lie on the borders up to a few units in the last place, so the gap and the rise
-/// that are returned are there, and what they ask for is enough, never too little by more than rounding; another place
-/// may ask for less. Whether borders touch in a point only is decided with kTiny of the coordinates: lengths below that
-/// are none.
+/// that are returned exist, and an agent that manages them gets over, up to rounding; another place may need less.
+/// Borders touch in a point only by the measure of kTiny of the coordinates: lengths below that are none.
 std::optional<BorderLink> linkBetween(const SurfaceBorder& a, const SurfaceBorder& b, double step = 0);
 
 /// The place on a border that is nearest to another place in the plan.

@@ -18,13 +18,13 @@ namespace {
 
 constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kGoodEnough = 0.01;           // of the length that no way is shorter than
+constexpr double kGoodEnough = 0.01;           // share of the proven lower bound
 constexpr std::size_t kMostWork = 200'000;     // nodes of the searches for paths between drops
-constexpr std::size_t kWorkOfPath = 64;        // what each path takes besides
-constexpr std::size_t kMostTries = 4'000'000;  // of one piece after another one
+constexpr std::size_t kWorkOfPath = 64;        // additional work of each path
+constexpr std::size_t kMostTries = 4'000'000;  // limit for one piece after another one
 constexpr std::size_t kTriesPerPoll = 4096;
-constexpr int kMends = 4;     // of a way, each of which looks for its bends again
-constexpr int kSweeps = 100;  // over the drops of a way, each of which is moved
+constexpr int kMends = 4;     // mends of a way, each of which looks for its bends again
+constexpr int kSweeps = 100;  // passes over the drops of a way, each of which is moved
 
 using Segment = std::array<Vec3, 2>;
 
@@ -51,7 +51,7 @@ double planDistance(const Segment& a, const Segment& b) {
   return std::min({planDistance(a[0], b), planDistance(a[1], b), planDistance(b[0], a), planDistance(b[1], a)});
 }
 
-/// Where a convex function is least in [0, 1], to about 1e-7 (Kiefer 1953).
+/// The minimum of a convex function in [0, 1], to about 1e-7 (Kiefer 1953).
 template <class Function>
 double leastOf(Function f) {
   constexpr double kGolden = 0.6180339887498949;
@@ -106,11 +106,11 @@ class DropSearch {
     std::uint32_t drop = 0;
     double begin = 0, end = 1;
     Segment start, landing;
-    double startHalf = 0, landingHalf = 0;  ///< of their lengths in the plan
+    double startHalf = 0, landingHalf = 0;  ///< half of their lengths in the plan
     double least = 0;                       ///< no drop of it is shorter in the plan
     double toGoal = 0;                      ///< no way from it to the goal is shorter
   };
-  /// In chains, the places before the first piece and behind the last one.
+  /// The places before the first piece and behind the last one in chains.
   static constexpr std::uint32_t kFrom = kNone - 1, kTo = kNone - 2;
 
   [[nodiscard]] std::uint32_t partBefore(const Piece& p) const {
@@ -138,7 +138,7 @@ class DropSearch {
     return p;
   }
 
-  /// Of drops between parts that lie on some way. False when there is no way.
+  /// Makes pieces of the drops between parts that lie on some way. False when there is no way.
   bool makePieces() {
     const auto partsBefore = partsOverDrops(mesh_, topology_, topology_.components[from_.triangle]);
     const std::uint32_t last = topology_.components[to_.triangle];
@@ -173,7 +173,7 @@ class DropSearch {
     pieces_.push_back(p);
   }
 
-  /// What no way from a landing of `a` to a start of `b` is shorter than.
+  /// A lower bound of any way from a landing of `a` to a start of `b`.
   [[nodiscard]] double leastBetween(std::uint32_t a, std::uint32_t b) const {
     double straight = 0;
     if (a == kFrom)
@@ -191,7 +191,7 @@ class DropSearch {
   double shortestChain(double limit, std::vector<std::uint32_t>& chain) {
     std::vector<double> lengths(pieces_.size(), kInfinity);
     std::vector<std::uint32_t> before(pieces_.size(), kNone);
-    using Open = std::tuple<double, double, std::uint32_t>;  // with the way to the goal, without, piece
+    using Open = std::tuple<double, double, std::uint32_t>;  // length with the way to the goal, length without, piece
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     const std::uint32_t last = topology_.components[to_.triangle];
     double shortest = limit;
@@ -268,7 +268,7 @@ class DropSearch {
     return allKnown;
   }
 
-  /// Through the middles of the pieces.
+  /// The route through the middles of the pieces.
   [[nodiscard]] DropRoute routeOf(const std::vector<std::uint32_t>& chain) const {
     DropRoute route;
     for (std::size_t i = 0; i <= chain.size(); ++i)
@@ -355,7 +355,7 @@ class DropSearch {
   Poll poll_;
   std::vector<Piece> pieces_;
   std::vector<std::vector<std::uint32_t>> startingIn_;  ///< pieces, for each part
-  std::map<Pair, double> known_;                        ///< what no way between two pieces is shorter than
+  std::map<Pair, double> known_;                        ///< lower bound of any way between two pieces
   std::map<Pair, double> middles_;                      ///< lengths of the paths between their middles
   std::size_t work_ = 0, tries_ = 0;
 };

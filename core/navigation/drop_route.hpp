@@ -1,13 +1,13 @@
-// Which drops lead from one part of a walkable area to another one, on the shortest way.
+// Finds the drops that lead from one part of a walkable area to another one on the shortest way.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Branch and bound. A way over drops is a chain of stretches and a place on each. Stretches are cut into pieces; for
 // two pieces in turn, no way from any landing of the first to any start of the second is shorter than the straight line
 // between both segments in the plan, nor than the shortest path between their middles less half the length of each,
-// because one can walk along a piece. So Dijkstra's algorithm over pieces gives a length that no way is shorter than.
-// The paths along the chain that it finds are then computed, its pieces halved, and it is asked again, until the best
-// way found is not much longer than that length. Where along its drops the best way runs is mended on its own: between
-// the bends before and behind a drop, the length is a convex function of the place.
+// because one can walk along a piece. So Dijkstra's algorithm over pieces gives a lower bound. The paths along the
+// chain that it finds are then computed, its pieces are halved, and it runs again, until the best way found is not much
+// longer than that length. Where along its drops the best way runs is mended on its own: between the bends before and
+// behind a drop, the length is a convex function of the place.
 //
 // Lengths are rounded; drops that start and end in one part are no part of any way, as nobody needs them.
 #pragma once
@@ -33,7 +33,7 @@ struct DropStop {
 struct DropRoute {
   std::vector<DropStop> stops;
   double planLength = 0;
-  double leastPlanLength = 0;  ///< what no way over drops is shorter than
+  double leastPlanLength = 0;  ///< lower bound of any way over drops
 };
 
 /// The shortest path between two places of one part.
@@ -51,7 +51,7 @@ struct RouteEnd {
 
 using LegFinder = std::function<RouteLeg(const RouteEnd& from, const RouteEnd& to)>;
 
-/// For each part whether drops lead there from `part`, which is one of them.
+/// One flag per part: drops lead there from `part`, which is one of them.
 std::vector<char> partsOverDrops(const NavigationMesh& mesh, const SurfaceTopology& topology, std::uint32_t part);
 
 /// The drops from a place in one part to a place in another one; nothing where no drops lead there. The way is at most

@@ -13,10 +13,11 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReach =
-    1e-4;  // of the agent's height: how far the way goes beyond both borders, as walls stand there
-constexpr double kBeside = 1e-5;   // of the agent's height: how far beside the way it is looked, on either side
+    1e-4;  // share of the agent's height by which the way extends beyond both borders, as walls stand there
+constexpr double kBeside = 1e-5;   // share of the agent's height within which obstacles are looked for on either side
+                                   // of the way
 constexpr double kClearly = 1e-3;  // the sine of an angle
-constexpr double kMargin = 1e-3;   // of the agent's height: what is lower is the floor itself, where it slopes
+constexpr double kMargin = 1e-3;   // share of the agent's height: lower obstacles are the floor itself, where it slopes
 
 /// The heights between which something lies.
 struct Span {
@@ -42,7 +43,7 @@ struct LinkObstacles::Way {
 
   /// The part of a triangle in it.
   [[nodiscard]] Span spanOf(const std::array<Vec3, 3>& f) const {
-    // Where the triangle meets the rectangle's plane: a segment.
+    // The triangle meets the rectangle's plane in a segment.
     std::array<std::array<double, 2>, 2> ends{};  // along the way, and height
     std::size_t count = 0;
     std::array<std::array<double, 2>, 3> at;
@@ -76,7 +77,7 @@ std::array<double, 2> outwards(const SurfaceBorder& e) {
   return {(e.to.y - e.from.y) / length, (e.from.x - e.to.x) / length};
 }
 
-/// From a place on border `a` to one on border `b`; straight out of `a` where they are next to each other.
+/// The way from a place on border `a` to one on border `b`; straight out of `a` if they are next to each other.
 Way wayBetween(const SurfaceBorder& a, const Vec3& p, const Vec3& q, double reach) {
   const double gap = std::hypot(q.x - p.x, q.y - p.y);
   if (gap > reach) return {p, (q.x - p.x) / gap, (q.y - p.y) / gap, -reach, gap + reach};
@@ -84,7 +85,7 @@ Way wayBetween(const SurfaceBorder& a, const Vec3& p, const Vec3& q, double reac
   return {p, x, y, -reach, gap + reach};
 }
 
-/// Whether a way leaves the walkable side at `a` and enters that at `b`, and not only along them.
+/// True when a way leaves the walkable side at `a` and enters that at `b`, and not only along them.
 bool isCrossing(const Way& way, const SurfaceBorder& a, const SurfaceBorder& b) {
   const auto m = outwards(a), n = outwards(b);
   return way.ux * m[0] + way.uy * m[1] > kClearly && way.ux * n[0] + way.uy * n[1] < -kClearly;
@@ -148,7 +149,7 @@ bool LinkObstacles::lookAt(BorderLink& link, const SurfaceBorder& a, const Surfa
   return sight && sight->isCrossed;
 }
 
-/// Between the higher border, or what is stepped over, and the agent's head there.
+/// The range between the higher border, or the obstacle that is stepped over, and the agent's head there.
 std::array<double, 2> LinkObstacles::heightsInTheWay(const BorderLink& link) const {
   const double base = std::max(link.from.z, link.to.z), lower = std::min(link.from.z, link.to.z);
   return {std::max(base + kMargin * height_, lower + step_), base + height_ - kMargin * height_};
@@ -198,7 +199,7 @@ void LinkObstacles::findTriangles(BorderLink& link, const SurfaceBorder& a, cons
   const auto take = [&](std::int32_t id, const Span&) { link.triangles.push_back(static_cast<std::uint32_t>(id)); };
   const auto [floor, ceiling] = heightsInTheWay(link);
   visitAlong(sight->way, floor, ceiling, stack, take);
-  // Of a step its riser, between both floors.
+  // The riser of a step, between both floors.
   const auto [low, high] = std::minmax(link.from.z, link.to.z);
   const double margin = kMargin * height_;
   if (high - low > 2 * margin) visitAlong(sight->way, low + margin, high - margin, stack, take);

@@ -1,4 +1,4 @@
-// What of an environment stands between two borders of its walkable area.
+// The obstacles of an environment between two borders of its walkable area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -42,7 +42,7 @@ class LinkObstacles {
   [[nodiscard]] double step() const { return step_; }
 
  private:
-  /// What was seen, and along which way.
+  /// The obstacle that was found, and the way along which it was found.
   struct Sight;
   [[nodiscard]] std::optional<Sight> look(const BorderLink& link, const SurfaceBorder& a, const SurfaceBorder& b,
                                           std::vector<std::int32_t>& stack) const;

@@ -105,7 +105,7 @@ class Tracer {
 };
 
 void addFigures(const NavigationMesh& mesh, PathResult& result) {
-  // Along straight pieces, so that crossings, which are rounded, add nothing.
+  // Measured along straight pieces, so that crossings, which are rounded, add nothing.
   std::vector<std::size_t> corners = result.bends;
   corners.push_back(result.points.size() - 1);
   std::size_t last = 0;
@@ -127,7 +127,7 @@ void addFigures(const NavigationMesh& mesh, PathResult& result) {
       continue;
     const double slope = slopeDegrees(mesh, t);
     result.maxSlopeDegrees = std::max(result.maxSlopeDegrees, slope);
-    // On pieces of a few units in the last place the rounded direction means nothing: no piece is steeper than its
+    // The rounded direction of pieces of a few units in the last place is meaningless: no piece is steeper than its
     // triangle.
     result.maxInclineDegrees =
         std::max(result.maxInclineDegrees, std::min(slope, std::atan2(std::fabs(rise), plan) * kDegrees));
@@ -136,7 +136,7 @@ void addFigures(const NavigationMesh& mesh, PathResult& result) {
   result.connections = result.layers.empty() ? 0 : result.layers.size() - 1;
 }
 
-/// Three digits after the point are enough to tell a distance.
+/// Three digits after the point are enough for a distance.
 std::string shortNumber(double x) {
   std::string text;
   appendNumber(text, std::fabs(x) < 1e12 ? std::round(x * 1000) / 1000 : x);
@@ -179,7 +179,7 @@ void addPath(const PathGround& ground, PathResult& result, Poll poll) {
 
 RouteEnd routeEnd(const SurfacePlace& place) { return {place.position, place.triangle}; }
 
-/// What the search over drops asks for.
+/// The path for one leg of the search over drops.
 RouteLeg legBetween(const PathGround& ground, const RouteEnd& from, const RouteEnd& to, Poll poll) {
   PathResult leg;
   leg.start = ground.places.nearestInside(from.place, from.triangle);

@@ -26,7 +26,7 @@ struct PathGround {
 
   std::shared_ptr<const NavigationMesh> mesh;
   std::shared_ptr<const NavigationMesh> surface;  ///< the mesh with bridges over its gaps
-  SurfaceTopology topology;                       ///< of the surface
+  SurfaceTopology topology;                       ///< topology of the surface
   PlaceIndex places;
 };
 

@@ -27,7 +27,7 @@ struct Line {
 /// the side's first corner is at the left. The root is never on the line of the side, except where it is one of its
 /// two ends: then all of the triangle is in sight, and the line at that end does not matter.
 struct Node {
-  double length = 0;  ///< from the start to the root
+  double length = 0;  ///< length from the start to the root
   std::uint32_t triangle = 0;
   std::uint32_t root = kNone;
   Line left, right;
@@ -113,7 +113,7 @@ class Search {
     }
   }
 
-  /// From the start, which lies in `t`, through all sides that do not lead to another of its triangles.
+  /// Leaves the start, which lies in `t`, through all sides that do not lead to another of its triangles.
   void leave(std::uint32_t t, const std::vector<std::uint32_t>& startTriangles) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t behind = topology_.neighbours[t][i];
@@ -121,7 +121,7 @@ class Search {
         continue;
       const std::uint32_t right = topology_.fans[t][i], left = topology_.fans[t][(i + 1) % 3];
       const Vec3 &a = point(right), &b = point(left);
-      // On this side or its line, but not at a corner that it has in common with others: seen from other triangles.
+      // The start is on this side or its line, but not at a shared corner: it is seen from other triangles.
       if (facing(a, b, start_) == 0) continue;
       Node node;
       node.left = {kNone, left};
@@ -155,7 +155,7 @@ class Search {
     return node.root != kNone && node.length > rootLengths_[node.root] * (1 + 0x1p-31);
   }
 
-  /// At most the length from the root through the interval to the goal, but for rounding.
+  /// A lower bound of the length from the root through the interval to the goal, but for rounding.
   [[nodiscard]] double leastLength(const Node& node) const {
     const auto& fans = topology_.fans[node.triangle];
     const std::uint32_t leftFan = fans[node.side], rightFan = fans[(node.side + 1) % 3];

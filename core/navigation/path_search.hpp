@@ -28,7 +28,7 @@ namespace footfall::detail {
 /// A path as the search finds it: from the start in `startTriangle` through sides, in order, to the goal.
 struct SidePath {
   struct Crossing {
-    std::uint32_t triangle;  ///< that is entered
+    std::uint32_t triangle;  ///< triangle that is entered
     int side;                ///< its side
     std::uint32_t root;      ///< the path comes straight from this fan, or from the start (kNone)
   };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kUsualHeight = 2;  // metres
 
-/// Of one parameter of all enabled filters of a type; 0 without any.
+/// The largest value of one parameter over all enabled filters of a type; 0 without any.
 double largestValue(const Pipeline& pipeline, FilterType type, std::size_t parameter = 0) {
   double largest = 0;
   for (const PipelineStep& step : pipeline.steps)

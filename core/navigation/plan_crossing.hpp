@@ -1,4 +1,4 @@
-// Where two lines cross in the plan, with small relative errors however nearly parallel they are.
+// The crossing of two lines in the plan, with small relative errors however nearly parallel they are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace footfall::detail {
 
-/// How far along the segment from c (0) to d (1) the line through a and b crosses it, in the plan. c and d must lie on
-/// different sides of the line, or one of them on it (not both).
+/// The place on the segment from c (0) to d (1) at which the line through a and b crosses it, in the plan. c and d must
+/// lie on different sides of the line, or one of them on it (not both).
 ///
 /// It is o(c) / (o(c) - o(d)) with the areas o(p) of the triangles (a, b, p). These have opposite signs, so that
 /// nothing cancels once each is known with a small relative error; where doubles do not give that, the quotient is

@@ -11,8 +11,8 @@
 // in bands of growing size, up to the agent's height. Beyond, no step is to be expected, and parts are joined one
 // by one with what is nearest to them (Prim's algorithm).
 //
-// The sets of the two parts that are asked about are never joined: each link that would do so, in its turn, is a way.
-// The first is the answer's; those that follow are other ways, once for each stretch of borders.
+// The sets of the two given parts are never joined: each link that would do so, in its turn, is a way. The first is the
+// answer's; those that follow are other ways, once for each stretch of borders.
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -35,14 +35,14 @@
 namespace footfall {
 namespace detail {
 
-/// What was prepared for a mesh and its environment.
+/// The data prepared for a mesh and its environment.
 struct SeparationGround {
   std::shared_ptr<const PathGround> ground;
   SurfaceParts parts;
   std::vector<SurfaceBorder> borders;
-  TriangleTree tree;  ///< of the borders
+  TriangleTree tree;  ///< tree over the borders
   LinkObstacles obstacles;
-  double gap = 0;  ///< that the agent steps over
+  double gap = 0;  ///< width that the agent steps over
 };
 
 }  // namespace detail
@@ -52,7 +52,7 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// What may lack no more than `most` towards a border.
+/// The box of what may have an excess of no more than `most` towards a border.
 Box boxOf(const SurfaceBorder& e, double most, double step, double gap) {
   const auto low = [](double a, double b, double by) { return std::nextafter(std::min(a, b) - by, -kInfinity); };
   const auto high = [](double a, double b, double by) { return std::nextafter(std::max(a, b) + by, kInfinity); };
@@ -66,7 +66,7 @@ Box boxOf(const SurfaceBorder& e, double most, double step, double gap) {
 struct Pair {
   double size = kInfinity;
   std::uint32_t a = 0, b = 0;
-  bool isPoint = false;  ///< as large as others, but no stretch of both borders
+  bool isPoint = false;  ///< as large as others, but shared in no stretch of both borders
   bool operator<(const Pair& other) const {
     return std::tie(size, isPoint, a, b) < std::tie(other.size, other.isPoint, other.a, other.b);
   }
@@ -93,17 +93,18 @@ class SeparationSearch {
   }
 
  private:
-  static constexpr double kFirstBand = 1.0 / 64;  // of the agent's height
+  static constexpr double kFirstBand = 1.0 / 64;  // share of the agent's height
   static constexpr double kGrowth = 4;
-  static constexpr std::size_t kMostPairs = std::size_t{1} << 22;  // that are held at once
+  static constexpr std::size_t kMostPairs = std::size_t{1} << 22;  // limit of pairs held at one time
   static constexpr std::size_t kPolled = 256;
   static constexpr int kMostJoined = 8;  // parts between two that are far from each other
   static constexpr std::size_t kMostWays = std::size_t{1} << 14;
   static constexpr std::size_t kMostOthers = 64;
-  static constexpr double kAlsoLittle = 1.0 / 16;  // of the agent's height: what another way may lack in any case
+  static constexpr double kAlsoLittle = 1.0 / 16;  // share of the agent's height: an excess that another way may have
+                                                   // in any case
 
   [[nodiscard]] bool isLinked() const { return !ways_.empty(); }
-  /// What another way may lack.
+  /// The largest excess of another way.
   [[nodiscard]] double mostLack() const {
     return ways_.size() >= kMostWays
                ? -1
@@ -111,7 +112,7 @@ class SeparationSearch {
   }
   static Index index(std::uint32_t component) { return static_cast<Index>(component); }
 
-  /// For each component its set.
+  /// The set of each component.
   [[nodiscard]] std::vector<Index> numberSets() {
     std::vector<Index> of(ground_.parts.count);
     for (std::size_t i = 0; i < of.size(); ++i) of[i] = sets_.find(static_cast<Index>(i));
@@ -131,7 +132,7 @@ class SeparationSearch {
     }
   }
 
-  /// As linkBetween(), with what the agent lacks; walls are not looked for yet.
+  /// The link of linkBetween(), with its excess; walls are not looked for yet.
   [[nodiscard]] std::optional<BorderLink> linkOf(std::uint32_t a, std::uint32_t b) const {
     auto link = linkBetween(ground_.borders[a], ground_.borders[b], ground_.obstacles.step());
     if (link) link->excess = excessOf(*link);
@@ -148,7 +149,7 @@ class SeparationSearch {
     double done = -1;
     for (double band = height * kFirstBand; done < height;) {
       std::vector<Pair> pairs;
-      // Where very many lie equally near to each other, bands grow more slowly.
+      // Bands grow more slowly when very many borders lie equally near to each other.
       for (int attempt = 0; !collect(done, band, attempt < 16 ? kMostPairs : SIZE_MAX, pairs); ++attempt)
         band = std::max(done, 0.0) + (band - std::max(done, 0.0)) / 4;
       std::sort(pairs.begin(), pairs.end());
@@ -358,7 +359,7 @@ class SeparationSearch {
   Poll poll_;
   DisjointSets sets_;
   std::vector<Join> links_;
-  std::vector<Join> ways_;  ///< from the set of the first part to that of the other one
+  std::vector<Join> ways_;  ///< ways from the set of the first part to that of the other one
   std::priority_queue<Pair, std::vector<Pair>, std::greater<>> waiting_;
   std::vector<std::int32_t> stack_;
   bool fromSmaller_ = true;

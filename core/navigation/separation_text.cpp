@@ -7,7 +7,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kNothing = 1e-9;  // of the larger of gap and step: the other one is rounding
+constexpr double kNothing = 1e-9;  // share of the larger of gap and step: the other one is rounding
 
 Text openText(const BorderLink& link, const std::function<std::string(double)>& length, double allowed) {
   const double step = std::fabs(link.rise), none = step <= allowed ? 0 : kNothing * std::max(link.gap, step);

@@ -1,5 +1,5 @@
-// Which steps may follow each other: a parallel block runs from a strategy to Collapse (docs/explanation/model.md,
-// Parallel blocks).
+// Checks which steps may follow each other: a parallel block runs from a strategy to Collapse
+// (docs/explanation/model.md, Parallel blocks).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@ namespace footfall::detail {
 
 struct StructureError {
   std::size_t step = 0;  ///< index into Pipeline::steps
-  Text message;          ///< what is wrong and what to do, without the place
+  Text message;          ///< the problem and the advice, without the place
 };
 
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a

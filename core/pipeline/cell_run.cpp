@@ -21,7 +21,7 @@ constexpr std::size_t kFacesPerTake = 64;
 constexpr std::size_t kSegmentsOfLarge = 128;
 // Less work than that of so many trivial floors is not worth waking a thread for.
 constexpr double kWorkPerThread = 32;
-// How long an idle thread sleeps before it looks whether the run was cancelled.
+// The time that an idle thread sleeps before it checks for cancelling.
 constexpr std::chrono::milliseconds kIdle{2};
 constexpr double kShareOfProgress = 0.9;
 
@@ -199,7 +199,7 @@ void CellRun::begin(Index cell, int thread) {
   done(cell, 1);
 }
 
-// What is left of a cell whose shares are done. If they are not, the thread that began it goes on by itself.
+// Finishes a cell whose shares are done. If they are not, the thread that began it continues by itself.
 void CellRun::runRest(Index cell, int thread) {
   if (!isMine(cell) || cells_[cell].rest.exchange(Rest::Wanted) != Rest::Ready) return;
   current_[thread] = cell;
@@ -258,7 +258,7 @@ void CellRun::reportItems(std::size_t done) const {
 bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {
   const std::size_t count = work.floors.size();
   if (work.next.load(std::memory_order_relaxed) >= count) return false;
-  // Where others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
+  // When others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
   const std::size_t take = work.next.load(std::memory_order_relaxed) < work.large ? 1 : kFacesPerTake;
   const std::size_t first = work.next.fetch_add(take);
   const std::size_t last = std::min(first + take, count);
@@ -297,7 +297,7 @@ std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, in
   }
   CellWork& work = cells_[cell];
   work.trianglesOut.fetch_add(triangles, std::memory_order_relaxed);
-  // Before others can take what is left to do here, and finish the cell.
+  // Recorded before other threads can take the rest and finish the cell.
   record(cell, filters_.tests.size(), thread, startMs);
   if (small.empty() && large.empty()) return floors.size();
   {
@@ -376,8 +376,8 @@ void CellRun::join(const Join& join, int thread) {
   done(join.cell, 1);
 }
 
-// Where most is left, among the cells that threads took last. What is clipped elsewhere is triangulated by whoever
-// clipped it.
+// The cell with the most work left, among the cells that threads took last. The thread that clips a floor triangulates
+// it.
 Index CellRun::cellToHelp() {
   Index best = -1;
   std::size_t most = 0;

@@ -23,9 +23,9 @@
 
 namespace footfall::detail {
 
-/// What runs on every cell: tests of single faces, then perhaps a clearance.
+/// The filters that run on every cell: tests of single faces, then perhaps a clearance.
 struct CellFilters {
-  std::vector<std::string> names;  ///< of the tests, then of the clearance
+  std::vector<std::string> names;  ///< names of the tests, then of the clearance
   std::vector<FaceTest> tests;
   ClearancePass* clearance = nullptr;
 };
@@ -33,7 +33,7 @@ struct CellFilters {
 /// Cells that other processes run.
 struct CellsElsewhere {
   CellExchange* exchange = nullptr;  ///< null: there are none
-  std::vector<char> isMine;          ///< for each cell, once the exchange has begun the pass
+  std::vector<char> isMine;          ///< one flag per cell, once the exchange has begun the pass
   std::shared_ptr<const CellShareReader> reader;
 };
 
@@ -49,7 +49,7 @@ class CellRun {
   /// Runs all cells on the threads of the present arena.
   void run();
 
-  /// For each triangle, how many tests it passed in a row.
+  /// The number of tests that each triangle passed in a row.
   [[nodiscard]] const std::vector<std::uint8_t>& passed() const { return passed_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
   /// Time that all threads together spent on one of the filters, and on all.
@@ -57,20 +57,20 @@ class CellRun {
   [[nodiscard]] double workMs() const;
 
  private:
-  /// What is behind the shared floors of a cell.
+  /// The state of the work behind the shared floors of a cell.
   enum class Rest : std::uint8_t { Unready, Ready, Wanted };
   struct CellWork {
-    std::vector<Index> floors;  ///< that passed all tests
-    std::size_t shared = 0;     ///< how many of them, at the front, other cells have a part of
-    std::size_t large = 0;      ///< how many of them, at the front, are to be taken one by one
+    std::vector<Index> floors;  ///< floors that passed all tests
+    std::size_t shared = 0;     ///< number of floors, at the front, of which other cells have a part
+    std::size_t large = 0;      ///< number of floors, at the front, that are taken one by one
     std::atomic<std::size_t> next{0};
     std::atomic<std::size_t> left{1};  ///< items that are not done, and 1 until all are known
     std::atomic<bool> open{false};     ///< others may help
     std::atomic<Rest> rest{Rest::Unready};
     std::atomic<std::uint64_t> trianglesOut{0};
-    std::mutex mutex;                       ///< of the report and of the following
+    std::mutex mutex;                       ///< guards the report and the following members
     std::vector<Index> smallCut, largeCut;  ///< floors that are clipped and not yet triangulated
-    std::vector<FacePart> parts;            ///< for other processes
+    std::vector<FacePart> parts;            ///< parts for other processes
   };
   /// The shares of one face; those on which nothing stands are only counted. Giants have one in each of thousands of
   /// cells.
@@ -86,7 +86,7 @@ class CellRun {
     Index face = -1;
     Index cell = -1;
   };
-  /// What a thread recorded: on which cell and for which filter last, and for each filter how long in all.
+  /// The record of a thread: its last cell and filter, and the time spent on each filter in all.
   struct ThreadRecord {
     Index cell = -1;
     std::size_t filter = 0;
@@ -132,22 +132,22 @@ class CellRun {
   RunContext& context_;
   CellsElsewhere elsewhere_;
 
-  std::vector<std::size_t> order_;  ///< of cells: own ones first; those of others only where they are merged
+  std::vector<std::size_t> order_;  ///< order of cells: own ones first; those of others only if they are merged here
   std::atomic<std::size_t> ownLeft_{0}, othersToTest_{0};
   std::vector<CellWork> cells_;
-  std::vector<Index> sharesOf_;  ///< for each face its number in shares_, or -1
+  std::vector<Index> sharesOf_;  ///< number in shares_ of each face, or -1
   std::vector<Shares> shares_;
-  std::vector<std::vector<CellSide>> sides_;  ///< of each cell
+  std::vector<std::vector<CellSide>> sides_;  ///< sides of each cell
   std::vector<std::uint8_t> passed_;
   ExactFallbacks fallbacks_;
 
   std::atomic<std::size_t> nextCell_{0}, nextRest_{0};
   std::atomic<std::size_t> itemsDone_{0};
   std::size_t itemsExpected_ = 0;
-  std::vector<std::atomic<Index>> current_;      ///< for each thread the cell that it took last, or -1
-  std::vector<ClearancePass::Worker*> workers_;  ///< of each thread
-  std::vector<ThreadRecord> records_;            ///< of each thread
-  std::mutex mutex_;                             ///< of the following
+  std::vector<std::atomic<Index>> current_;      ///< cell that each thread took last, or -1
+  std::vector<ClearancePass::Worker*> workers_;  ///< one per thread
+  std::vector<ThreadRecord> records_;            ///< one per thread
+  std::mutex mutex_;                             ///< guards the following members
   std::condition_variable changed_;
   std::deque<Join> joins_;
   std::size_t cellsLeft_ = 0;

@@ -1,4 +1,4 @@
-// Whether bytes are the share of a cell: each floor in it is one that the cell has.
+// True when bytes are the share of a cell: each floor in it is one that the cell has.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// For one pass, whose objects have to stay; thread-safe.
+/// Reads the shares of one pass, whose objects have to stay; thread-safe.
 class CellShareReader {
  public:
   /// `tests`: those of the pass, before its clearance. `walkable`: before the first of them.
@@ -24,7 +24,7 @@ class CellShareReader {
 
  private:
   [[nodiscard]] bool isFloorOf(Index cell, Index face) const;
-  /// Whether cells that share the floor each have a part of its cuts.
+  /// True when cells that share the floor each have a part of its cuts.
   [[nodiscard]] bool isDivided(Index face) const;
 
   const CellFloors& floors_;
@@ -32,7 +32,7 @@ class CellShareReader {
   const std::vector<FaceTest>& tests_;
   const ClearancePass& clearance_;
   const std::size_t filters_;
-  std::vector<Index> firstCell_;  ///< for each triangle: the first cell that lists it, or -1
+  std::vector<Index> firstCell_;  ///< first cell that lists each triangle, or -1
 };
 
 }  // namespace footfall::detail

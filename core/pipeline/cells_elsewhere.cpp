@@ -8,12 +8,12 @@
 
 namespace footfall::detail {
 
-// Whether the floor, which cells share and which must not be cut into parts, is this cell's.
+// True when the floor belongs to this cell; it is shared but must not be cut into parts.
 bool CellRun::isWholeOf(Index cell, Index face) const {
   return shares_[sharesOf_[face]].counted == cell && !filters_.clearance->canShare(face);
 }
 
-// What arrived waits until the floors of all cells are known.
+// Shares that arrived wait until the floors of all cells are known.
 bool CellRun::takeArrived(int thread) {
   if (elsewhere_.exchange == nullptr || !merges() || othersToTest_ > 0) return false;
   const std::optional<ArrivedShare> arrived = elsewhere_.exchange->take();
@@ -69,7 +69,7 @@ void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& 
   report.thread = times.thread + arrived.firstThread;
   report.startMs = times.startMs + arrived.shiftMs;
   report.endMs = times.endMs + arrived.shiftMs;
-  // What a filter took elsewhere is its time, too.
+  // Time that a filter took elsewhere counts as its time, too.
   for (const ShareTimes::Span& span : times.spans) records_[thread].workMs[span.filter] += span.endMs - span.startMs;
   for (const ShareTimes::Span& span : times.spans)
     report.spans.push_back({filters_.names[span.filter], span.thread + arrived.firstThread,

@@ -79,13 +79,13 @@ class Block {
     context_.endStep(request_.firstStep, nullptr);
   }
 
-  // As many filters as one pass over the cells can run: tests of single faces, then a clearance. Returns the step after
-  // them.
+  // Runs as many filters as one pass over the cells can hold: tests of single faces, then a clearance. Returns the step
+  // after them.
   std::size_t runPhase(std::size_t k) {
     std::vector<FaceTest> tests;
     const std::size_t end = request_.steps.size() - 1;
     std::size_t next = k;
-    // Where there is a mesh, each filter has to cut it; where there is something to recall, it must know all floors.
+    // Each filter has to cut the mesh if there is one; and it must see all floors if there is something to recall.
     const bool canTest = !state_->mesh && !request_.recall.before;
     for (; canTest && next < end; ++next) {
       const PipelineStep& step = *request_.steps[next];
@@ -142,7 +142,7 @@ class Block {
     outcome_.steps.back().fallbacks = outcome.fallbacks;
   }
 
-  // Which cells of the pass of step k this process runs. `tests` and `pass` have to stay as long as the answer.
+  // The cells of the pass of step k that this process runs. `tests` and `pass` must outlive the result.
   CellsElsewhere divideCells(std::size_t k, const std::vector<FaceTest>& tests, const ClearancePass& pass) {
     const auto reader =
         std::make_shared<const CellShareReader>(floors_, state_->walkable, tests, pass, tests.size() + 1);
@@ -161,7 +161,7 @@ class Block {
     return {request_.exchange, request_.exchange->begin(phase, context_), reader};
   }
 
-  // What the cells found, as the filter's own state.
+  // Turns the findings of the cells into the filter's own state.
   void applyTest(std::size_t k, std::size_t passed, const CellRun& cells) {
     if (request_.steps[k]->filter->type == FilterType::Degeneracy) {
       FilterOutcome outcome = applyDegeneracy(state_, context_);
@@ -219,7 +219,7 @@ class Block {
   StatePtr state_;
   Partition partition_;
   CellFloors floors_;
-  std::shared_ptr<const SourceMesh> mesh_;  ///< that floors_ is about
+  std::shared_ptr<const SourceMesh> mesh_;  ///< mesh of floors_
   Text note_;
   double mergingStartMs_ = 0, mergingCpuMs_ = 0;
   BlockOutcome outcome_;

@@ -14,16 +14,16 @@
 namespace footfall::detail {
 
 struct BlockRequest {
-  std::vector<const PipelineStep*> steps;  ///< from the strategy to Collapse
+  std::vector<const PipelineStep*> steps;  ///< steps from the strategy to Collapse
   std::size_t firstStep = 0;               ///< the strategy's number among the enabled steps of the run
-  StatePtr state;                          ///< before the block
-  StateSummary summary;                    ///< of that state
+  StatePtr state;                          ///< state before the block
+  StateSummary summary;                    ///< summary of that state
   Recall recall;                           ///< `before`: what an earlier run had after the block
   int threads = 1;
 
-  // Of a run that several processes share:
+  // A run that several processes share has these:
   CellExchange* exchange = nullptr;
-  std::string key;                           ///< of the environment and the steps before
+  std::string key;                           ///< key of the environment and the steps before
   std::size_t phasesBefore = 0, phases = 0;  ///< countPhases() before this block, and in all
 };
 
@@ -38,14 +38,15 @@ struct BlockOutcome {
 /// give one after the other without cells. Throws as applyFilter() does.
 BlockOutcome runBlock(const BlockRequest& request, const Stopwatch& clock, RunContext& context);
 
-/// In the first `count` enabled steps the passes whose shares processes exchange: clearance filters in blocks.
+/// The number of passes in the first `count` enabled steps whose shares processes exchange: clearance filters in
+/// blocks.
 std::size_t countPhases(const std::vector<const PipelineStep*>& steps, std::size_t count);
 
 /// The threads for which AutoStrategy makes cells where several processes share a run: whatever their number, the cells
 /// are the same, so that shares of another number of processes are of use.
 constexpr int kThreadsOfAll = 64;
 
-/// What a strategy sees of a state. `steps`: from the strategy to Collapse.
+/// The input of a strategy for a state. `steps`: from the strategy to Collapse.
 StrategyInput strategyInput(const WalkableState& state, const std::vector<const PipelineStep*>& steps, int threads,
                             RunContext& context);
 

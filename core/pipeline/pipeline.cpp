@@ -15,7 +15,8 @@ namespace footfall {
 using namespace detail;
 namespace {
 
-/// Of a radius: who drops crosses the margin of the ledge and that of the floor below, each with its tolerance of 1 %.
+/// The factor of a radius: who drops crosses the margin of the ledge and that of the floor below, each with its
+/// tolerance of 1 %.
 constexpr double kReachOverMargins = 2.1;
 
 // 2 m in units of 0.3 mm is 6666.66666667, not 6666.666666666667: defaults are for people to read.

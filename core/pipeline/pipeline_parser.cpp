@@ -43,7 +43,7 @@ std::vector<Token> splitIntoTokens(std::string_view line, std::size_t from) {
   return tokens;
 }
 
-// What the user wrote, short and printable, whatever file was given as a pipeline.
+// The user's text, short and printable, whatever file was given as a pipeline.
 std::string quote(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string quoted = "\"";
@@ -160,7 +160,7 @@ class Parser {
   const std::string& source_;
   int line_ = 0;
   Pipeline pipeline_;
-  std::vector<int> columns_;  // of each step's name
+  std::vector<int> columns_;  // column of each step's name
 };
 
 }  // namespace

@@ -14,12 +14,12 @@
 
 namespace footfall::detail {
 
-/// What is known after the first steps of a pipeline. An entry needs no other one, so that it stays of use when those
-/// of shorter prefixes are gone.
+/// The state after the first steps of a pipeline. An entry does not depend on others, so it stays useful when those of
+/// shorter prefixes are gone.
 struct CachedPrefix {
   StatePtr state;
   StateSummary summary;
-  std::vector<StepStatistics> steps;             ///< of the whole prefix, as they were measured
+  std::vector<StepStatistics> steps;             ///< statistics of the whole prefix, as measured
   std::shared_ptr<const NavigationMesh> mesh;    ///< empty until somebody made it
   std::shared_ptr<const RoundedPlaces> rounded;  ///< the places of which it was made
 };
@@ -60,7 +60,7 @@ class PrefixCache {
                                            const std::vector<const PipelineStep*>& steps, std::size_t count,
                                            bool hasPlaces) const;
   std::list<Entry>::iterator locate(const EnvironmentPtr& environment, const std::string& key);
-  /// How many of the most recently used entries stay within the bounds.
+  /// The number of most recently used entries that stay within the bounds.
   [[nodiscard]] std::size_t countToKeep() const;
 
   std::mutex mutex_;

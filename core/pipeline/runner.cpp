@@ -22,13 +22,14 @@ namespace {
 
 constexpr Pattern kAtPlace{"%1: %2"};
 
-// What steps over so many triangles free is given back, or it adds to the peaks of later ones; of fewer, giving back
-// and taking again costs an eighth of a run, and a fiftieth of the peak is all it saves. The runs after an edit need as
-// much again at once.
+// Above this many triangles, steps return freed memory, which would otherwise add to the peaks of later ones. Below it,
+// returning and allocating again would cost an eighth of a run and save only a fiftieth of the peak. Runs after an edit
+// need as much again at once.
 constexpr std::size_t kReturnedSize = std::size_t{1} << 22;
-// Where results are kept for later runs, somebody looks at them first, and the rest goes back.
+// Cached runs above this many triangles return unused memory at the end, after the result has been delivered.
 constexpr std::size_t kReturnedAtEnd = std::size_t{1} << 19;
-// Of so many triangles the product is not settled while layers are found: both would be in memory at once.
+// Above this many triangles, rounding waits until the layers are done, because the two together would double peak
+// memory.
 constexpr std::size_t kSettledAfter = std::size_t{1} << 19;
 
 // Everything that can be known to be wrong before the first step runs.
@@ -72,7 +73,7 @@ auto guarded(const Text& where, Work&& work) {
   }
 }
 
-// Runs `work`; says where the step is that asks for what cannot be.
+// Runs `work`; adds the place of the step to its input errors.
 template <typename Work>
 auto withPlace(const Text& place, Work&& work) {
   try {
@@ -191,7 +192,7 @@ class Run {
     return first;
   }
 
-  // The longest known prefix; listeners hear of its steps as if they had run.
+  // Takes the longest known prefix; listeners get its steps as if they had run.
   void takeFromCache() {
     if (cache_ == nullptr) return;
     for (std::size_t count = steps_.size() + 1; count-- > 0 && !current_.state;) {
@@ -271,7 +272,7 @@ class Run {
     request.firstStep = first;
     request.state = current_.state;
     request.summary = current_.summary;
-    // What other processes find comes without what a later run could copy.
+    // Results of other processes come without the data that a later run could copy.
     if (exchange_ == nullptr) request.recall = recall(last + 1);
     request.threads = threads_;
     if (exchange_ != nullptr) {
@@ -289,7 +290,7 @@ class Run {
       current_.rounded = nullptr;
       for (StepStatistics& step : outcome.steps) current_.steps.push_back(std::move(step));
       remember();
-      // What was post-processing lies between two blocks.
+      // The time of post-processing so far lies between two blocks.
       times_.preprocessing += std::exchange(times_.postprocessing, 0);
       times_.partitioning += outcome.report.partitioningMs;
       times_.parallel += outcome.report.parallelMs;
@@ -318,18 +319,18 @@ class Run {
     return makeNavigationMesh(*current_.state, std::move(settled), context_);
   }
 
-  // Whether the block ran or came from the cache.
+  // True when the block before the step ran or came from the cache.
   [[nodiscard]] bool isBehindBlock(std::size_t index) const {
     return std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(index),
                        [](const PipelineStep* step) { return step->filter->kind == FilterKind::Collapse; });
   }
 
-  // For messages: steps_ are pointers into the pipeline's steps.
+  // The place of a step for messages: steps_ are pointers into the pipeline's steps.
   [[nodiscard]] Text placeOf(std::size_t index) const {
     return placeOfStep(pipeline_, static_cast<std::size_t>(steps_[index] - pipeline_.steps.data()));
   }
 
-  // What earlier runs had after the first `count` steps.
+  // The results of earlier runs after the first `count` steps.
   Recall recall(std::size_t count) {
     if (cache_ == nullptr) return {nullptr, false, current_.state.use_count() == 1};
     return {cache_->findEarlier(environment_, steps_, count), true, false};
@@ -350,7 +351,7 @@ class Run {
   std::vector<const PipelineStep*> steps_;  // the enabled ones
   CachedPrefix current_;
   bool makesProduct_ = false;
-  std::optional<SettledProduct> settled_;  // of the last state, where its filter left time for that
+  std::optional<SettledProduct> settled_;  // product of the last state, if its filter left time for that
   bool isEdited_ = false;                  // there is the result of an environment that this one is an edit of
   int threads_;
   const Stopwatch& clock_;

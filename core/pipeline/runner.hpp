@@ -1,4 +1,4 @@
-// What the editor and reports ask of a run besides its result (footfall/run.hpp).
+// The functions that the editor and reports need of a run besides its result (footfall/run.hpp).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,10 +24,9 @@ std::vector<StatePtr> stepStates(std::shared_ptr<const Environment> environment,
 Partition previewPartition(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                            std::size_t step, RunContext& context, int threads = 0);
 
-/// As runPipeline(), by several processes that divide the cells of parallel blocks. The result's mesh is null in those
-/// that the last block does not go on in; the others' bytes are those of runPipeline(). This process goes on from the
-/// last state that `cache` has; others know nothing of it, and run all blocks where any is left to be run. Throws what
-/// `exchange` throws, too.
+/// The same as runPipeline(), by several processes that divide the cells of parallel blocks. The mesh is null in
+/// processes that stop at the last block; the others get the bytes of runPipeline(). This process starts from the last
+/// state in `cache`; others do not have it, and run all blocks if any is left. Throws what `exchange` throws, too.
 RunResult runTogether(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       CellExchange& exchange, int threads = 0, ResultCache* cache = nullptr);
 

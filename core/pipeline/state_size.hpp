@@ -1,4 +1,4 @@
-// How much memory cached states hold, so that a cache can be kept within bounds.
+// The memory that cached states hold, so that a cache can be kept within bounds.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
