@@ -21,7 +21,7 @@ namespace {
 
 struct CellsOptions {
   EnvironmentOptions environment;
-  std::string strategy;  ///< as in a pipeline file; empty: the pipeline's first, or AutoStrategy
+  std::string strategy;  ///< strategy as in a pipeline file; empty: the pipeline's first, or AutoStrategy
   PipelineOptions pipeline;
   int threads = 0;
   std::string output;  ///< empty: the cut environment is not exported

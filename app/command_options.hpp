@@ -24,11 +24,11 @@ struct EnvironmentOptions {
   std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);
-  /// Without what leaves parts out.
+  /// Adds the file's options, without those that leave parts out.
   void addFileTo(CLI::App& command);
   /// Throws InputError for a scale that is none.
   [[nodiscard]] ImportOptions import() const;
-  /// What was said about parts of that environment. Throws InputError for names of none.
+  /// The rules for parts of that environment. Throws InputError for names of none.
   [[nodiscard]] std::vector<detail::PartRule> rules(const Environment& environment) const;
 };
 
@@ -53,7 +53,7 @@ void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coor
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
                       const std::string& help);
 
-/// What a command reads, which it must not write over.
+/// The files that a command reads and must not overwrite.
 detail::WriteTargets targetsBeside(const EnvironmentOptions& environment, const PipelineOptions& pipeline);
 
 }  // namespace footfall::app

@@ -45,7 +45,7 @@ RunResult CommandSession::run(const std::shared_ptr<const Environment>& environm
     if (exchange != nullptr) return runTogether(environment, pipeline, context_, *exchange, threads_);
     return runPipeline(environment, pipeline, context_, cache, threads_);
   } catch (const InputError& error) {
-    // The runner knows the line, but not the file that it is in.
+    // The runner has the line, but not the name of the file.
     if (options.file.empty()) throw;
     throw InputError(options.file + ": " + error.what());
   }

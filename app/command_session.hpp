@@ -1,4 +1,4 @@
-// What every command of `footfall` has while it works.
+// The objects that every command of `footfall` needs while it works.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -43,7 +43,7 @@ class CommandSession {
   std::optional<tbb::global_control> limit_;
   ProgressBar bar_;
   RunContext context_;
-  std::shared_ptr<const Environment> file_;  ///< as it was read: floor plans look for its doors
+  std::shared_ptr<const Environment> file_;  ///< environment as read: floor plans look for its doors
   InterruptWatcher watcher_;
 };
 

@@ -30,13 +30,13 @@ struct CompareOptions {
   bool quiet = false;
 };
 
-constexpr std::size_t kSteps = 4;  // of compareMeshes()
+constexpr std::size_t kSteps = 4;  // steps of compareMeshes()
 
 std::array<NavigationMeshFile, 2> readBoth(const CompareOptions& options, RunContext& context) {
   const std::optional<UpAxis> up = upAxisFrom(options.up);
   std::array<NavigationMeshFile, 2> files;
   files[0] = readNavigationMesh(options.files[0], up, UpAxis::Y, &context);
-  // What states no axis lies as the other does.
+  // A file that states no axis lies as the other does.
   files[1] = readNavigationMesh(options.files[1], up, files[0].up, &context);
   if (!up && !files[0].statedUp && files[1].statedUp && files[1].up != files[0].up)
     files[0] = readNavigationMesh(options.files[0], files[1].up, UpAxis::Y, &context);

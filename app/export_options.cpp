@@ -88,7 +88,7 @@ double writeExport(const ExportCommandOptions& options, const NavigationMesh& me
 void printLosses(const NavigationMesh& mesh, const ExportCommandOptions& options, double error) {
   const Text lost = lossesOf(exportFormatOf(options.output), mesh, options.options);
   std::string line = lost.empty() ? std::string() : "the format cannot hold " + lost.str();
-  // What nobody sees is not told: floats are a tenth of a millimetre apart at 1 km.
+  // Invisible errors are not reported: floats are a tenth of a millimetre apart at 1 km.
   if (error > 0.0005) {
     line += line.empty() ? "" : "; ";
     line += formatted(error * 1000, "rounding to floats moved coordinates by up to %.3g mm");

@@ -15,16 +15,16 @@
 namespace footfall::app {
 
 struct ExportCommandOptions {
-  std::string output;  ///< in one of exportFormats(); empty: nothing is written
+  std::string output;  ///< file in one of exportFormats(); empty: nothing is written
   ExportOptions options;
   std::string up;          ///< a name of nameOf(UpAxis), or empty
-  std::uint32_t part = 0;  ///< from 1; 0: all
+  std::uint32_t part = 0;  ///< number from 1; 0: all
 
   /// Returns the option of the file's name.
   CLI::Option* addTo(CLI::App& command, const std::string& outputHelp = {});
   /// Names of options that mean nothing without a file.
   [[nodiscard]] static const std::vector<std::string>& names();
-  /// When all options are read, and before anything else: what was typed becomes `options`.
+  /// Turns the parsed options into `options`. Call this when all options are read, and before anything else.
   void finish();
   /// Throws InputError for options that mean nothing to the format, and for a file that must not be replaced.
   void check() const;
@@ -35,7 +35,7 @@ struct ExportCommandOptions {
 double writeExport(const ExportCommandOptions& options, const NavigationMesh& mesh, const Pipeline& pipeline,
                    const detail::WriteTargets& targets, const RunContext& context);
 
-/// What is in the result and the file does not hold, in one line on stderr.
+/// Prints one line on stderr about the parts of the result that the file does not hold.
 void printLosses(const NavigationMesh& mesh, const ExportCommandOptions& options, double error);
 
 }  // namespace footfall::app

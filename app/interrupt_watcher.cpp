@@ -18,7 +18,7 @@ InterruptWatcher::InterruptWatcher(RunContext& context) {
   sigemptyset(&watched);
   sigaddset(&watched, SIGINT);
   sigaddset(&watched, SIGTERM);
-  sigaddset(&watched, SIGHUP);  // a terminal that is closed does not tell the programs that were started
+  sigaddset(&watched, SIGHUP);  // A closed terminal sends no signal to the programs that were started.
   pthread_sigmask(SIG_BLOCK, &watched, &previousMask_);
   try {
     signals_ = signalfd(-1, &watched, SFD_CLOEXEC | SFD_NONBLOCK);

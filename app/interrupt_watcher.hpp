@@ -10,8 +10,9 @@
 
 namespace footfall::app {
 
-/// While it lives, SIGINT and SIGTERM cancel the context instead of ending the process. A thread of its own waits for
-/// them, so nothing runs in a signal handler. Make it before other threads: they inherit that the signals are blocked.
+/// Makes SIGINT and SIGTERM cancel the context, as long as it lives, instead of ending the process. A thread of its own
+/// waits for them, so nothing runs in a signal handler. Make it before other threads: they inherit that the signals are
+/// blocked.
 class InterruptWatcher {
  public:
   /// Throws std::system_error when the system has no descriptors left.

@@ -22,7 +22,7 @@ namespace {
 
 struct PathOptions {
   EnvironmentOptions environment;
-  std::array<double, 3> from{}, to{};  ///< in the file's own coordinates
+  std::array<double, 3> from{}, to{};  ///< places in the file's own coordinates
   std::optional<double> reach;         ///< empty: just below the pipeline's clearance
   PipelineOptions pipeline;
   int threads = 0;

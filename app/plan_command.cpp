@@ -21,7 +21,7 @@ struct PlanCommandOptions {
   int threads = 0;
   std::string output;
   std::string scale, paper;  ///< empty: what fits
-  std::uint32_t part = 0;    ///< from 1; 0: all
+  std::uint32_t part = 0;    ///< number from 1; 0: all
   std::string coordinateSystem;
   bool storeys = false, blackAndWhite = false;
   bool quiet = false;

@@ -1,4 +1,4 @@
-// One line on stderr that tells how far a run is.
+// One line on stderr that shows the progress of a run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,7 +33,7 @@ class ProgressBar {
   std::string label_;
   std::size_t steps_ = 0;
   std::size_t finished_ = 0;
-  double fraction_ = 0;  // of the step under way
+  double fraction_ = 0;  // fraction of the step under way
   bool drawn_ = false;
   std::chrono::steady_clock::time_point lastDrawn_;
 };

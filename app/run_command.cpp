@@ -52,7 +52,7 @@ WriteTargets checkTargets(const RunOptions& options) {
   return targets;
 }
 
-/// What the numbers of the pipeline will do to the level that nobody wants, on stderr.
+/// Prints notes on stderr about parameters whose effect on the level is probably not intended.
 void printNotes(const Environment& environment, const Pipeline& pipeline, CommandSession& session) {
   session.begin("checking");
   const std::vector<ParameterNote> notes = checkParameters(measureLevel(environment, session.context()), pipeline);

@@ -1,4 +1,4 @@
-// What programs that have the command `run` do differently.
+// The differences between programs that have the command `run`.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@
 
 namespace footfall::app {
 
-/// As it stands, `footfall run`. The functions are called in their order, once each.
+/// The base is `footfall run`. The functions are called in their order, once each.
 class RunProgram {
  public:
   RunProgram() = default;
@@ -19,15 +19,15 @@ class RunProgram {
   RunProgram(const RunProgram&) = delete;
   RunProgram& operator=(const RunProgram&) = delete;
 
-  /// Behind those of the command itself.
+  /// Adds options behind those of the command itself.
   virtual void addOptions(CLI::App& /*command*/) {}
   /// Nothing is read yet.
   virtual void begin(int /*threads*/) {}
-  /// Whether progress is shown where standard error is no terminal, too.
+  /// True when progress is shown even if standard error is no terminal.
   [[nodiscard]] virtual bool showsProgress() const { return false; }
-  /// That of the run that follows; null: it is over.
+  /// Sets the context of the run that follows; null: it is over.
   virtual void setContext(RunContext* /*context*/) {}
-  /// False: another process tells and writes what there is.
+  /// False when another process prints and writes the results.
   [[nodiscard]] virtual bool writes() const { return true; }
   /// Those that share a run within a bound of memory; null: nobody else does.
   [[nodiscard]] virtual detail::RankGroup* group() { return nullptr; }
@@ -39,7 +39,7 @@ class RunProgram {
                         const Pipeline& pipeline, const PipelineOptions& options, double /*loadMs*/) {
     return session.run(environment, pipeline, options);
   }
-  // What is written, or printed, of a run.
+  // The texts that are written, or printed, about a run:
   virtual std::string statistics(std::string json) { return json; }
   virtual std::string trace(std::string json) { return json; }
   virtual std::string summary(std::string text) { return text; }

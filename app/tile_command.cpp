@@ -220,7 +220,7 @@ void checkOutside(const std::string& path, const std::string& folder, Pattern pr
   if (file == tiles || file.parent_path() == tiles) throw InputError(problem, path);
 }
 
-/// What rank 0 sees to before anything runs. Returns the folder.
+/// The checks of rank 0 before anything runs. Returns the folder.
 std::shared_ptr<TargetFolder> makeTarget(const TileCommandOptions& options) {
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   checkEnding(options.statistics, "--stats", ".json");

@@ -13,7 +13,7 @@ namespace footfall::app {
 struct TileCommandOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
-  std::string folder;        ///< to be made, or empty
+  std::string folder;        ///< folder to be made, or empty
   std::string statistics;    ///< a file, or empty
   std::uint64_t memory = 0;  ///< bytes
   std::string slice;         ///< "K/N", or empty: all

@@ -22,7 +22,7 @@ namespace {
 
 struct WhyOptions {
   EnvironmentOptions environment;
-  /// In the file's frame and units: one place, or two.
+  /// One place, or two, in the file's frame and units.
   std::array<double, 3> place{}, from{}, to{};
   PipelineOptions pipeline;
   int threads = 0;
@@ -85,7 +85,7 @@ std::string explainPair(const WhyOptions& options) {
   return text;
 }
 
-/// What to say of the highest place at or under the point.
+/// The text about the highest place at or under the point.
 std::string explainPlace(const WhyOptions& options) {
   const Vec3 given = placeGiven("--at", options.place);
   std::optional<Pipeline> pipeline = options.pipeline.given();

@@ -29,7 +29,7 @@ void blockSignals() {
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
 }
 
-// What the editor starts.
+// Adds the command that the editor starts.
 void addCellsCommand(CLI::App& app, app::MpiProgram& program) {
   struct Options {
     std::string job;

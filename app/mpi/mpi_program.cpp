@@ -26,7 +26,7 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
-/// As whatever started the process named it; null where nothing did.
+/// The rank by name of the program that started the process; null if it was started alone.
 const char* rankByName() {
   for (const char* name : {"OMPI_COMM_WORLD_RANK", "PMIX_RANK", "PMI_RANK", "SLURM_PROCID"})
     if (const char* rank = std::getenv(name)) return rank;
@@ -178,8 +178,8 @@ void MpiProgram::drop() {
   while (!dropped_.empty()) dropped_.pop_back();
 }
 
-// What is wrong with the options all ranks find by themselves. mpirun ends the others as soon as one leaves with an
-// exit code: they leave together, when rank 0 has told what it is.
+// All ranks find wrong options by themselves. mpirun ends the others as soon as one leaves with an exit code: they
+// leave together, after rank 0 has reported the error.
 void MpiProgram::meetOthers() {
   if (isBegun_ || rankByName() == nullptr) return;
   workFolder_.clear();
@@ -197,7 +197,7 @@ bool MpiProgram::fail(const std::string& problem, RankFailure kind) {
   const bool wasStopped = exchange_->wasStopped();
   exchange_->fail(problem, kind);
   drop();
-  // Rank 0 tells, unless it is busy where it cannot be stopped: then this rank ends all, and has to say why.
+  // Rank 0 reports, unless it is busy and cannot be stopped: then this rank ends all and must say why.
   return (writes() || exchange_->isCutOff()) && !wasStopped;
 }
 

@@ -21,7 +21,7 @@ class MpiProgram : public RunProgram {
 
   void addOptions(CLI::App& command) override;
   void begin(int threads) override;
-  /// In place of run(), for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
+  /// Replaces run() for the command `cells`: leaves the shares of a job in its folder. Calls all of the above and
   /// end().
   void runCells(const std::string& job, int threads);
   [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
@@ -36,17 +36,17 @@ class MpiProgram : public RunProgram {
   std::string summary(std::string text) override;
   void end() override;
 
-  /// Before MPI is there: whether this process is rank 0, by what started it. What is wrong with the options is told
-  /// once.
+  /// True when this process is rank 0, judged before MPI is there by the variables of the starting program. Wrong
+  /// options are then reported once.
   [[nodiscard]] static bool isFirstByName();
-  /// The command failed: tells the other ranks. Returns whether this process has to tell the user.
+  /// The command failed: notifies the other ranks. Returns true when this process has to report to the user.
   bool fail(const std::string& problem, detail::RankFailure kind);
-  /// Which rank failed, and why, where that is what ended the run.
+  /// The rank that failed, and the reason, if that ended the run.
   [[nodiscard]] std::optional<std::string> failure() const;
-  /// Whether it failed because what it was given is wrong.
+  /// True when it failed because of wrong input.
   [[nodiscard]] bool failedByInput() const;
-  /// Whether the exit code of this process is the one that counts: that of rank 0, of a rank that rank 0 does not
-  /// answer, or of any before there are ranks.
+  /// True when the exit code of this process counts: that of rank 0, of a rank that rank 0 does not answer, or of any
+  /// before there are ranks.
   [[nodiscard]] bool hasExitCode() const { return !transport_ || writes() || (exchange_ && exchange_->isCutOff()); }
   /// The command is over: waits for the other ranks, or ends them all where one does not answer. Behind that, the
   /// process has nothing to do but to return `exitCode`.
@@ -66,7 +66,7 @@ class MpiProgram : public RunProgram {
   std::unique_ptr<MpiTransport> transport_;
   std::unique_ptr<detail::RankExchange> exchange_;
   std::mutex contextMutex_;
-  RunContext* context_ = nullptr;  ///< that of the run, as long as it lives
+  RunContext* context_ = nullptr;  ///< context of the run, as long as it lives
   std::atomic<bool> isStopped_{false};
   std::vector<std::shared_ptr<void>> dropped_;
   std::vector<detail::RankStatistics> ranks_;

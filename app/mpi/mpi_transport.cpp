@@ -16,8 +16,8 @@ constexpr std::size_t kLargestPiece = std::size_t{1} << 30;
 // The last byte of a piece.
 constexpr char kMore = 0, kLast = 1;
 
-// Where all ranks of Open MPI are on one machine, they pass messages through its memory: looking for networks first
-// takes a fifth of a second. Whoever asks mpirun for something else gets that.
+// Lets ranks of Open MPI on one machine pass messages through its memory: looking for networks first takes a fifth of a
+// second. Settings given to mpirun take precedence.
 void stayOnThisMachine() {
   const char* all = std::getenv("OMPI_COMM_WORLD_SIZE");
   const char* here = std::getenv("OMPI_COMM_WORLD_LOCAL_SIZE");

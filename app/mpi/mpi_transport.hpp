@@ -41,7 +41,7 @@ class MpiTransport : public detail::Transport {
 
   int rank_ = 0, size_ = 1;
   std::list<Sending> sending_;           ///< MPI has their addresses
-  std::vector<std::string> beginnings_;  ///< of messages of each rank that come in several pieces
+  std::vector<std::string> beginnings_;  ///< beginnings of each rank's messages that come in several pieces
 };
 
 }  // namespace footfall::app

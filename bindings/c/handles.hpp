@@ -1,4 +1,4 @@
-// What stands behind the handles of footfall.h, and what all its functions have in common.
+// The objects behind the handles of footfall.h, and the code that all its functions share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

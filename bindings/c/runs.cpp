@@ -7,7 +7,7 @@ using namespace footfall::c;
 
 namespace {
 
-constexpr const char* kTextName = "pipeline";  // in messages: "pipeline:LINE:COLUMN: ..."
+constexpr const char* kTextName = "pipeline";  // source in messages: "pipeline:LINE:COLUMN: ..."
 
 Agent agentOf(const footfall_agent* agent) {
   return agent == nullptr ? Agent{} : Agent{agent->max_slope, agent->height, agent->minimum_area, agent->step,

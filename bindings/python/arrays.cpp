@@ -27,7 +27,7 @@ py::array arrayFrom(const py::object& given, const std::string& name, const char
   return array;
 }
 
-/// Whether each number of the array is one of the kinds ("f" real, "i" signed, "u" unsigned, "b" truth) and fits into
+/// True when each number of the array is one of the kinds ("f" real, "i" signed, "u" unsigned, "b" truth) and fits into
 /// eight bytes.
 bool hasNumbers(const py::array& array, std::string_view kinds) {
   return kinds.find(array.dtype().kind()) != std::string_view::npos && array.itemsize() <= 8;

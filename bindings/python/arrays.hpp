@@ -52,15 +52,15 @@ py::capsule baseOf(std::shared_ptr<const Owner> owner) {
 
 // Arrays that show what `base` keeps alive, without a copy and not to be written to.
 
-/// Of shape (n, 3), float64.
+/// A view of shape (n, 3), float64.
 py::array viewOf(const std::vector<Vec3>& points, const py::capsule& base);
-/// Of shape (m, 3), uint32.
+/// A view of shape (m, 3), uint32.
 py::array viewOf(const std::vector<Triangle>& triangles, const py::capsule& base);
-/// Of shape (k, 2), uint32.
+/// A view of shape (k, 2), uint32.
 py::array viewOf(const std::vector<std::array<std::uint32_t, 2>>& pairs, const py::capsule& base);
-/// Of shape (m,), uint32.
+/// A view of shape (m,), uint32.
 py::array viewOf(const std::vector<std::uint32_t>& numbers, const py::capsule& base);
-/// Of shape (m,), bool.
+/// A view of shape (m,), bool.
 py::array viewOf(const std::vector<std::uint8_t>& flags, const py::capsule& base);
 
 }  // namespace footfall::python

@@ -25,7 +25,7 @@ class Signature {
     if (text_.back() != '(') text_ += ", ";
     text_ += argument;
   }
-  /// In the form that Python takes apart again.
+  /// The docstring in the form that Python parses.
   [[nodiscard]] std::string docstring(const char* doc) const { return text_ + ")\n--\n\n" + doc; }
 
  private:

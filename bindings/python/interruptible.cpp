@@ -22,17 +22,17 @@ struct StepProgress {
   double fraction = 0;
 };
 
-/// What the worker has to say to the thread that waits for it.
+/// The messages from the worker to the thread that waits for it.
 class Messages {
  public:
-  /// From any thread.
+  /// Called from any thread.
   void add(const RunEvent& event) {
     using Kind = RunEvent::Kind;
     if (event.kind != Kind::StepStarted && event.kind != Kind::Progress && event.kind != Kind::StepFinished) return;
     const std::lock_guard lock(mutex_);
     if (event.kind == Kind::StepStarted) names_[event.step] = event.text;
     StepProgress news{event.step, names_[event.step], event.kind == Kind::StepFinished ? 1 : event.fraction};
-    // Of progress within a step only the last one counts.
+    // Only the last progress within a step counts.
     if (event.kind == Kind::Progress && !news_.empty() && news_.back().step == event.step && lastIsProgress_)
       news_.back() = std::move(news);
     else

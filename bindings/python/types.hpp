@@ -1,4 +1,4 @@
-// What the parts of the module hand to each other.
+// The types that the parts of the module share.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,13 +27,13 @@ std::shared_ptr<Type> held(std::shared_ptr<const Type> shared) {
   return std::const_pointer_cast<Type>(std::move(shared));
 }
 
-/// A navigation mesh, and what is made of it once it is asked for. Only touched with the interpreter lock held.
+/// A navigation mesh, and the data made of it on first use. Only touched with the interpreter lock held.
 struct Mesh {
   std::shared_ptr<const NavigationMesh> data;
   std::shared_ptr<const PathFinder> finder = nullptr;
 };
 
-/// What a run leaves: its mesh, and what it was made from.
+/// The result of a run: its mesh, and what it was made from.
 struct Area : Mesh {
   std::shared_ptr<const Environment> environment;
   Pipeline pipeline;
@@ -57,7 +57,7 @@ std::optional<UpAxis> upAxisFrom(const std::optional<std::string>& name);
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress);
 
-/// How arrays are to be taken.
+/// The options for taking arrays.
 struct ArraysOptions {
   std::string up = "z";
   double metresPerUnit = 1;

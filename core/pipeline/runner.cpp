@@ -319,7 +319,7 @@ class Run {
     return makeNavigationMesh(*current_.state, std::move(settled), context_);
   }
 
-  // True when the block before the step ran or came from the cache.
+  // True when a parallel block ends before the step.
   [[nodiscard]] bool isBehindBlock(std::size_t index) const {
     return std::any_of(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(index),
                        [](const PipelineStep* step) { return step->filter->kind == FilterKind::Collapse; });

@@ -1,4 +1,4 @@
-// Who is to walk, in metres and degrees, and the pipeline that computes where.
+// The agent that walks, in metres and degrees, and the pipeline that computes its area.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

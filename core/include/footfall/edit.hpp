@@ -11,7 +11,7 @@
 
 namespace footfall {
 
-/// Where the elements of an edited environment come from. What was kept comes first, in the order of the base.
+/// The origins of the elements of an edited environment. Kept elements come first, in the order of the base.
 struct EnvironmentEdit {
   std::weak_ptr<const Environment> base;
   std::vector<std::uint32_t> keptVertices;   ///< numbers in the base, ascending

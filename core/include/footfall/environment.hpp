@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-/// What the user may say about a file; what is left empty is guessed from the format and reported.
+/// The user's statements about a file; empty ones are guessed from the format and reported.
 struct ImportOptions {
   std::optional<UpAxis> up;
   /// Metres per unit of the file. Never applied to coordinates (they stay exact): it only turns metres into the
@@ -33,16 +33,16 @@ enum class SkipReason : std::uint8_t {
 /// A polygon of the file that import left out (core/environment/skipped_polygons.hpp has it in words).
 struct SkippedPolygon {
   SkipReason reason = SkipReason::TooFewCorners;
-  std::size_t cornerCount = 0;  ///< that the file gives it; 0 where it says nothing
-  std::uint64_t line = 0;       ///< of the file, from 1; 0 where the format has no lines
-  std::uint64_t face = 0;       ///< without a line: its number in the mesh, from 1
-  std::string mesh;             ///< without a line: the mesh's name, which may be empty
+  std::size_t cornerCount = 0;  ///< number of corners in the file; 0 when the file does not say
+  std::uint64_t line = 0;       ///< line of the file, from 1; 0 when the format has no lines
+  std::uint64_t face = 0;       ///< if there is no line: its number in the mesh, from 1
+  std::string mesh;             ///< if there is no line: the mesh's name, which may be empty
   /// The distinct corners, two at most: where the polygon is. Empty where it has none.
   std::vector<Vec3> corners;
   bool operator==(const SkippedPolygon&) const = default;
 };
 
-/// What import left out, for the user to see.
+/// The elements that import left out, for the user to see.
 struct SkippedElements {
   static constexpr std::size_t kMostListed = 1000;
   std::uint64_t points = 0;    ///< point elements
@@ -58,10 +58,10 @@ struct EnvironmentPart {
   bool operator==(const EnvironmentPart&) const = default;
 };
 
-/// What the triangles of a part are for. 'Obstacle only' and 'never walkable' are one role: what is no floor remains an
-/// obstacle.
+/// The use of a part's triangles. 'Obstacle only' and 'never walkable' are one role: triangles that are no floor remain
+/// obstacles.
 enum class PartRole : std::uint8_t {
-  Floor,         ///< as usual: walkable where the filters let it be, and an obstacle
+  Floor,         ///< the usual role: walkable where the filters allow it, and an obstacle
   ObstacleOnly,  ///< an obstacle, never walkable
   Ignored        ///< not there at all
 };
@@ -73,25 +73,26 @@ struct EnvironmentEdit;  // footfall/edit.hpp
 /// undone on export.
 struct Environment {
   std::string source;  ///< path as given by the user, for messages and export comments
-  std::string origin;  ///< of a packed environment: the name of the file that was packed, for export comments
+  std::string origin;  ///< for a packed environment: the name of the file that was packed, for export comments
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;  ///< counter-clockwise seen from the front; indices into `vertices`
   UpAxis up = UpAxis::Z;            ///< the file's up axis
   bool upGuessed = true;
-  double metresPerUnit = 1;  ///< above 0; turns the metres of an Agent into units, and never moves a coordinate
+  double metresPerUnit = 1;  ///< metres in one unit, above 0; turns the metres of an Agent into units, and never moves
+                             ///< a coordinate
   bool scaleGuessed = true;
   bool bothSides = false;  ///< both sides of every triangle are its upper side
   SkippedElements skipped;
-  std::vector<EnvironmentPart> parts;  ///< in the order of their first triangles
+  std::vector<EnvironmentPart> parts;  ///< sorted by their first triangles
   std::vector<std::uint32_t> partOf;   ///< part of each triangle; empty when the file divides nothing into parts
   /// The role of each part by what the file says that it is (of an IFC file: doors are open, furniture is an obstacle);
   /// empty where it says nothing. load() has applied them.
   std::vector<PartRole> usualRoles;
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
-  /// What it was made of, when it is another environment with something changed; else null.
+  /// The edit by which it was made from another environment; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
-  std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
-  std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
+  std::vector<Storey> storeys;  ///< storeys of a building, ascending by height; empty if the file has none
+  std::vector<Text> notes;      ///< notes for the user on how the file was read, a sentence each
 
   [[nodiscard]] SourceFrame frame() const { return {origin.empty() ? source : origin, up, metresPerUnit, storeys}; }
 };

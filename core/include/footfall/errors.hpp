@@ -10,7 +10,7 @@
 
 namespace footfall {
 
-/// What the errors below have in common: what() is the message in English, text() the one to be translated.
+/// The base of the errors below: what() is the message in English, text() the one to be translated.
 class TextError : public std::runtime_error {
  public:
   explicit TextError(Text text)

@@ -14,13 +14,13 @@ namespace footfall {
 
 enum class ParameterType { Real, Integer, Boolean };
 
-/// What a value measures; lengths and areas are in the environment's units.
+/// The measure of a value; lengths and areas are in the environment's units.
 enum class Unit { None, Degrees, Length, Area, Count };
 
 /// A parameter of a filter.
 struct ParameterDescriptor {
   std::string_view name;   ///< identifier, e.g. "max_slope"
-  std::string_view label;  ///< for people, e.g. "Maximum slope"
+  std::string_view label;  ///< shown to people, e.g. "Maximum slope"
   std::string_view help;   ///< one or two sentences
   ParameterType type = ParameterType::Real;
   Unit unit = Unit::None;
@@ -35,7 +35,8 @@ struct ParameterDescriptor {
   int follows = -1;
 };
 
-/// What code decides by; files and people know filters by their names. The order is that of filterDescriptors().
+/// The types by which code decides; files and people use the names of filters. The order is that of
+/// filterDescriptors().
 enum class FilterType : std::uint8_t {
   Duplication,
   Degeneracy,
@@ -66,9 +67,9 @@ enum class Scope { Local, Global };
 /// A filter. Texts live as long as the program.
 struct FilterDescriptor {
   FilterType type{};
-  std::string_view name;                  ///< as in design and pipeline files, e.g. "LayerSubdivisionFilter"
+  std::string_view name;                  ///< name in pipeline files, e.g. "LayerSubdivisionFilter"
   std::vector<std::string_view> aliases;  ///< the thesis's names, e.g. "PEELFilter"
-  std::string_view label;                 ///< for people, e.g. "Layer subdivision"
+  std::string_view label;                 ///< shown to people, e.g. "Layer subdivision"
   std::string_view help;
   std::string_view precondition;  ///< empty when there is none
   std::string_view effect;
@@ -79,14 +80,14 @@ struct FilterDescriptor {
   /// So many of the last parameters are a group that a step has any number of times, also not at all (ReachableFilter's
   /// x y z); 0: each parameter stands once.
   std::size_t repeats = 0;
-  std::string_view groups{};  ///< what the groups are called in JSON, e.g. "seeds"; empty where nothing repeats
+  std::string_view groups{};  ///< name of the groups in JSON, e.g. "seeds"; empty when nothing repeats
 
-  /// What value `index` of a step means.
+  /// The descriptor of value `index` of a step.
   [[nodiscard]] const ParameterDescriptor& parameterOf(std::size_t index) const {
     const std::size_t once = parameters.size() - repeats;
     return parameters[index < once ? index : once + (index - once) % repeats];
   }
-  /// Whether a step may have so many values.
+  /// True when a step may have this many values.
   [[nodiscard]] bool takes(std::size_t values) const {
     const std::size_t once = parameters.size() - repeats;
     return repeats == 0 ? values == once : values >= once && (values - once) % repeats == 0;
@@ -98,7 +99,7 @@ std::span<const FilterDescriptor> filterDescriptors();
 
 const FilterDescriptor& filterDescriptor(FilterType type);
 
-/// By name or alias, exact case; nullptr when unknown.
+/// Finds a filter by name or alias, exact case; nullptr when unknown.
 const FilterDescriptor* findFilter(std::string_view nameOrAlias);
 
 }  // namespace footfall

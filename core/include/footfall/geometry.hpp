@@ -30,7 +30,7 @@ struct TriangleSoup {
 /// A storey of a building.
 struct Storey {
   std::string name;
-  double height = 0;  ///< of its floor, in the environment's units, along Z
+  double height = 0;  ///< height of its floor, in the environment's units, along Z
   bool operator==(const Storey&) const = default;
 };
 
@@ -38,8 +38,8 @@ struct Storey {
 struct SourceFrame {
   std::string source = {};           ///< path as given by the user; empty when there was no file
   UpAxis up = UpAxis::Z;             ///< the file's up axis; inside, Z is up
-  double metresPerUnit = 1;          ///< of the file and of everything that was made of it
-  std::vector<Storey> storeys = {};  ///< ascending by height; empty where the file tells none
+  double metresPerUnit = 1;          ///< metres in one unit of the file and of everything that was made of it
+  std::vector<Storey> storeys = {};  ///< ascending by height; empty if the file has none
 };
 
 }  // namespace footfall

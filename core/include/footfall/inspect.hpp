@@ -23,22 +23,22 @@ struct InspectedRun;
 // --- Connected parts -------------------------------------------------------------------------------------------------
 
 struct Component {
-  double area = 0;  ///< of the surface, rounded; the square of the environment's unit
+  double area = 0;  ///< surface area, rounded; the square of the environment's unit
   std::size_t triangles = 0;
   Vec3 lower, upper;                  ///< the box around it
-  Vec3 centre;                        ///< of mass; it may lie beside the component
-  std::vector<std::uint32_t> layers;  ///< that it has a part in, ascending; empty when there are no layers
+  Vec3 centre;                        ///< centre of mass; it may lie beside the component
+  std::vector<std::uint32_t> layers;  ///< layers in which it has a part, ascending; empty when there are no layers
   std::uint32_t firstTriangle = 0;
 };
 
 /// The connected parts of a walkable area: where can agents get to without leaving it?
 struct Components {
   std::vector<Component> list;            ///< largest area first, then by `firstTriangle`
-  std::vector<std::uint32_t> ofTriangle;  ///< for each triangle of the mesh its place in `list`
+  std::vector<std::uint32_t> ofTriangle;  ///< index in `list` of each triangle of the mesh
 
   [[nodiscard]] double totalArea() const;
-  /// How likely two random places, each taken by area, are connected: the sum of the squared shares of the area, 0 to
-  /// 1; 0 without any area.
+  /// The probability that two random places, each taken by area, are connected: the sum of the squared shares of the
+  /// area, 0 to 1; 0 without any area.
   [[nodiscard]] double connectedShare() const;
 };
 
@@ -50,10 +50,10 @@ Components findComponents(const NavigationMesh& mesh, const RunContext* context 
 
 // --- Places ----------------------------------------------------------------------------------------------------------
 
-/// Where somebody points.
+/// A place that was picked.
 struct PickedPlace {
   std::uint32_t triangle = 0;  ///< index into Environment::triangles
-  Vec3 point;                  ///< on it, within rounding; environment units, Z up
+  Vec3 point;                  ///< point on it, within rounding; environment units, Z up
 };
 
 enum class PlaceVerdict {
@@ -74,7 +74,7 @@ enum class PlaceVerdict {
 /// A triangle above a place.
 struct TriangleAbove {
   std::uint32_t triangle = 0;  ///< index into Environment::triangles
-  double height = 0;           ///< above the place, rounded; > 0
+  double height = 0;           ///< height above the place, rounded; > 0
 };
 
 struct PlaceExplanation {
@@ -82,7 +82,7 @@ struct PlaceExplanation {
   PlaceVerdict verdict = PlaceVerdict::Walkable;
   /// The step that rejected it: index into Pipeline::steps. Empty where it is walkable or never was, before any filter.
   std::optional<std::size_t> step;
-  double limit = 0;  ///< of that step: degrees, height, area or distance, as its parameter
+  double limit = 0;  ///< limit of that step: degrees, height, area or distance, as its parameter
 
   /// The angle between the triangle's normal and up, degrees in [0, 180], rounded; not of a degenerate one.
   double slope = 0;
@@ -100,10 +100,9 @@ struct PlaceExplanation {
   /// down, or lies there a second time.
   std::optional<std::uint32_t> floor;
   double regionArea = 0;  ///< RegionTooSmall: of what was removed, rounded
-  /// How far a place that is walkable, or would be without RadiusFilter, is from the nearest wall and the
-  /// nearest ledge, straight over the walkable area before the first RadiusFilter (before the one that rejected it), in
-  /// the plan, rounded. Empty where there is none. Where no filter says how high an agent is, all that is higher than a
-  /// step is a wall.
+  /// The distances from a place that is walkable, or would be without RadiusFilter, to the nearest wall and the nearest
+  /// ledge, straight over the walkable area before the first RadiusFilter (before the one that rejected it), in the
+  /// plan, rounded. Empty when there is none. Without a clearance filter, everything higher than a step is a wall.
   std::optional<double> wallDistance, ledgeDistance;
 
   // Walkable:
@@ -112,13 +111,12 @@ struct PlaceExplanation {
   double componentArea = 0;
 };
 
-/// What one run left for questions about places. A place is a point of a triangle of the environment. It is walkable
-/// while the state's mesh covers it in that triangle's plane, whichever triangle of the plane carries it; the first
-/// step whose state does not cover it any more has rejected it. So the answer is what the steps did, exactly, not a
-/// second opinion on what they should have done. Points on edges mean the area beside them, towards the middle of the
-/// triangle that was pointed at.
+/// The states of one run, kept for questions about places. A place is a point of a triangle of the environment. It is
+/// walkable while the state's mesh covers it in that triangle's plane, whichever triangle of the plane carries it; the
+/// first step whose state does not cover it any more has rejected it. So answers state exactly what the steps did.
+/// Points on edges mean the area beside them, towards the middle of the picked triangle.
 ///
-/// Immutable: any thread may ask.
+/// Immutable: any thread may use it.
 class Inspector {
  public:
   /// `product` is the mesh that runPipeline() gave for this environment and pipeline. The states that the run went

@@ -26,7 +26,7 @@ Environment load(const std::string& path, const ImportOptions& options = {}, Run
 /// File name extensions that load() reads, lower case, without the dot ("obj", "gltf", ...).
 std::vector<std::string> importableExtensions();
 
-/// What is written, and in which frame. As it stands here, an OBJ lies exactly on the file that it came from.
+/// The content and the frame of an export. By default, an OBJ lies exactly on the file that it came from.
 struct ExportOptions {
   bool layers = true;         ///< false: one group "walkable"
   bool connections = true;    ///< the lines; what is connected stays so by its indices
@@ -37,19 +37,19 @@ struct ExportOptions {
   /// two: triangles much smaller than their coordinates can collapse.
   double scale = 1;
   bool drops = true;  ///< the lines from upper to lower
-  int godot = 4;      ///< of a .tres: the version of Godot that is to read it, 3 or 4
-  /// Of glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
+  int godot = 4;      ///< for a .tres: the version of Godot that reads it, 3 or 4
+  /// For glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
   bool navmeshNode = false;
-  /// Of polygons (.wkt, .geojson): this connected part alone, from 0 on, largest first; empty: all.
+  /// For polygons (.wkt, .geojson): write this connected part alone, from 0 on, largest first; empty: all.
   std::optional<std::uint32_t> part = std::nullopt;
-  /// Of .geojson: the coordinate system that the environment is in already, "EPSG:25832"; nothing is moved.
+  /// For .geojson: the coordinate system that the environment is in already, "EPSG:25832"; nothing is moved.
   std::string coordinateSystem = {};
 };
 
-/// The agent that a mesh was computed for, in the environment's units and degrees; empty: nothing was asked for.
+/// The agent that a mesh was computed for, in the environment's units and degrees; empty: no filter states it.
 struct AgentNumbers {
   std::optional<double> maxSlope, height;
-  double step = 0, gap = 0;  ///< what it climbs, and what it steps over in the plan
+  double step = 0, gap = 0;  ///< height that it climbs, and width that it steps over in the plan
   double radius = 0;
 };
 
@@ -58,7 +58,7 @@ struct ExportHeader {
   std::string pipeline = {};  ///< formatPipeline(), one filter a line
   std::string agent = {};     ///< e.g. "slope 45 degrees, height 2"
   std::string note = {};      ///< anything else, such as that coordinates are scaled
-  /// For formats that have fields of their own for them (Detour, Godot, glTF's extras).
+  /// The numbers for formats that have fields for them (Detour, Godot, glTF's extras).
   AgentNumbers numbers = {};
 };
 

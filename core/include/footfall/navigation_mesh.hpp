@@ -23,7 +23,7 @@ struct StepLink {
   std::array<std::uint32_t, 2> from{}, to{};
   std::uint32_t fromTriangle = 0, toTriangle = 0;  ///< whose edges they are
   double height = 0;                               ///< the largest difference in height
-  double width = 0;                                ///< in the plan no way over it is longer; 0 for a step
+  double width = 0;                                ///< longest way over it in the plan; 0 for a step
   StepKind kind = StepKind::Step;
 };
 
@@ -32,11 +32,11 @@ struct StepLink {
 struct DropLink {
   std::array<std::uint32_t, 2> from{};  ///< vertices of the edge, with the walkable area on its left
   std::uint32_t fromTriangle = 0;       ///< whose edge it is
-  std::uint32_t toTriangle = 0;         ///< in which the agent lands
-  std::array<Vec3, 2> start{};          ///< on the edge, in its direction, rounded
-  std::array<Vec3, 2> landing{};        ///< where one lands from each of them, in or on the border of `toTriangle`
+  std::uint32_t toTriangle = 0;         ///< triangle in which the agent lands
+  std::array<Vec3, 2> start{};          ///< places on the edge, in its direction, rounded
+  std::array<Vec3, 2> landing{};        ///< landing from each of them, in or on the border of `toTriangle`
   double depth = 0;                     ///< the largest difference in height, in the environment's units
-  double width = 0;                     ///< from the first start to the other one, in the plan
+  double width = 0;                     ///< distance from the first start to the other one, in the plan
 };
 
 /// Triangles that an agent can stand on. Two of them share an edge by its two vertex numbers exactly where the agent
@@ -48,7 +48,7 @@ struct NavigationMesh {
   /// Layer of each triangle, 0-based; empty when no layer filter ran.
   std::vector<std::uint32_t> layers;
   std::uint32_t layerCount = 0;
-  /// For each triangle an input triangle (index into Environment::triangles) whose plane it lies in.
+  /// An input triangle (index into Environment::triangles) in whose plane each triangle lies.
   std::vector<std::uint32_t> sourceTriangles;
   /// Obstacle edges, each once, as vertex pairs of one of its sides (the other side has vertices of its own).
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;

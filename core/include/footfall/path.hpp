@@ -34,23 +34,23 @@ enum class LinkKind {
   Touch        ///< both meet in one point, through which nobody fits
 };
 
-/// Where one border is near another one, and what an agent would have to overcome there. Lengths are distances in
-/// doubles (square roots), off by a few units in the last place of the coordinates.
+/// A place where one border is near another one, and what an agent would have to overcome there. Lengths are distances
+/// in doubles (square roots), off by a few units in the last place of the coordinates.
 struct BorderLink {
   Vec3 from, to;
   std::uint32_t fromComponent = 0, toComponent = 0;
-  double gap = 0;   ///< between the two places in the plan
-  double rise = 0;  ///< from the first to the second, upwards
+  double gap = 0;   ///< distance of the two places in the plan
+  double rise = 0;  ///< height from the first to the second, upwards
   LinkKind kind = LinkKind::Open;
   double obstacle = 0;     ///< LinkKind::Obstacle: its height over the lower place
   double headroom = 0;     ///< LinkKind::LowCeiling: the free height over the higher place
   bool isInterval = true;  ///< the borders face each other, and do not only meet in a point
-  /// What the agent lacks here: the largest of the gap beyond what it steps over, of the height that is climbed beyond
-  /// its step, and of the height that a ceiling lacks. Walls, and what only touches in a point, have a `kind` and
-  /// add nothing to it. By SeparationFinder.
+  /// The amount by which the agent fails here: the largest of the gap beyond what it steps over, of the height that is
+  /// climbed beyond its step, and of the height that a ceiling lacks. Walls, and borders that only touch in a point,
+  /// have a `kind` and add nothing to it. Set by SeparationFinder.
   double excess = 0;
-  /// What stands there: the riser of a step, the obstacle, the ceiling, the wall. Indices into
-  /// Environment::triangles, rising; in doubles. By SeparationFinder.
+  /// The triangles in the way: the riser of a step, the obstacle, the ceiling, the wall. Indices into
+  /// Environment::triangles, rising; found in doubles. Set by SeparationFinder.
   std::vector<std::uint32_t> triangles = {};
 
   /// The larger of the gap and the height that is climbed, walls left out.
@@ -63,13 +63,13 @@ struct BorderLink {
 
 /// The least that would have to be overcome between two parts.
 struct Separation {
-  std::vector<BorderLink> links;  ///< from the first part to the other one, over parts between
-  std::size_t largest = 0;        ///< of `links`: what to mend first; the first one where several are as large
+  std::vector<BorderLink> links;  ///< links from the first part to the other one, over parts between
+  std::size_t largest = 0;        ///< index in `links` of the one to mend first; the first one if several are as large
   /// Other places where mending one thing would join both parts as well, least excess first: those that lack at most
   /// twice as much as barrier(), or a sixteenth of the agent's height. Places next to each other along the same borders
   /// are one. None where walls are between.
   std::vector<BorderLink> others = {};
-  double height = 0, step = 0, gap = 0;  ///< what the agent needs, climbs and steps over (SeparationFinder)
+  double height = 0, step = 0, gap = 0;  ///< height, step and gap of the agent (SeparationFinder)
 
   [[nodiscard]] const BorderLink& barrier() const { return links[largest]; }
 };
@@ -81,7 +81,7 @@ struct Separation {
 struct SurfacePlace {
   Vec3 position;
   std::uint32_t triangle = 0;
-  double distance = 0;  ///< from the point that was asked for
+  double distance = 0;  ///< distance from the given point
 };
 
 enum class PathStatus {
@@ -94,15 +94,15 @@ enum class PathStatus {
 
 struct PathResult {
   PathStatus status = PathStatus::NothingWalkable;
-  Vec3 from, to;  ///< what was asked for
-  /// Where the path starts. When the start is not walkable, the nearest place that is; then there is no path.
+  Vec3 from, to;  ///< given points
+  /// The start of the path. When the start is not walkable, the nearest place that is; then there is no path.
   std::optional<SurfacePlace> start;
-  /// Where the path ends: the target; or, when it cannot be reached, the place nearest to it (in space) among those
+  /// The end of the path: the target; or, when it cannot be reached, the place nearest to it (in space) among those
   /// that can be reached from the start, over drops as well.
   std::optional<SurfacePlace> end;
   /// The walkable place at the target, where there is one: reached or not.
   std::optional<SurfacePlace> target;
-  /// What keeps both parts apart, by addSeparation(); empty where they are not apart, and until it was called.
+  /// The reason why both parts are apart, set by addSeparation(); empty when they are not apart, and before the call.
   std::optional<Separation> separation;
 
   /// The path on the surface, from start to end: each piece lies in one triangle or leads over a gap; `triangles[i]`
@@ -114,20 +114,20 @@ struct PathResult {
   std::vector<std::size_t> steps;  ///< pieces that are steps: straight up or down; `triangles` says where to
   std::vector<std::size_t> gaps;   ///< pieces that lead over a gap; `triangles` says where to
   std::vector<std::size_t> drops;  ///< pieces that are drops, one way down; `triangles` says where to
-  double deepestDrop = 0;          ///< of those
+  double deepestDrop = 0;          ///< depth of the deepest of those
   /// PathStatus::NotConnected: drops lead from the target to the start, and nothing leads back.
   bool leadsBack = false;
 
   double planLength = 0;  ///< the shortest there is, up to rounding; over drops as near to it as `leastPlanLength` says
-  /// What no way to `end` is shorter than in the plan, up to rounding: `planLength` itself, or what is proven where
-  /// drops are taken.
+  /// A lower bound of the length in the plan of any way to `end`, up to rounding: `planLength` itself, or the proven
+  /// bound when drops are taken.
   double leastPlanLength = 0;
-  double length = 0;   ///< of this path in space, heights of steps included
+  double length = 0;   ///< length of this path in space, heights of steps included
   double climb = 0;    ///< all that it goes up, on slopes and steps
   double descent = 0;  ///< all that it goes down
   /// Layers in the order in which the path passes them; empty when the mesh has none.
   std::vector<std::uint32_t> layers;
-  std::size_t connections = 0;   ///< how often it changes from one layer to another
+  std::size_t connections = 0;   ///< number of changes from one layer to another
   double maxSlopeDegrees = 0;    ///< the steepest triangle that it crosses
   double maxInclineDegrees = 0;  ///< the steepest that it goes up or down itself
   std::size_t expanded = 0;      ///< nodes of the search, to judge its cost
@@ -143,8 +143,8 @@ std::string_view linkWord(LinkKind kind);
 /// One line that says why there is no path; empty when there is one. Heights and distances in the mesh's units.
 std::string describeFailure(const PathResult& result);
 
-/// Prepared once for a mesh (adjacency, index of places; 60,000 triangles take some 30 ms), then asked as often as one
-/// likes, from any thread. Lengths and coordinates are in the units of the mesh, Z up.
+/// Finds paths on one mesh. It is prepared once (adjacency, index of places; 60,000 triangles take some 30 ms) and then
+/// used any number of times, from any thread. Lengths and coordinates are in the units of the mesh, Z up.
 class PathFinder {
  public:
   /// Vertices shared by index are passable, obstacle edges have vertices of their own and are not. Throws Cancelled
@@ -155,17 +155,17 @@ class PathFinder {
   PathFinder& operator=(const PathFinder&) = delete;
 
   /// The shortest path in the plan from the place at `from` to that at `to` (Polyanya; Cui, Harabor and Grastien 2017).
-  /// A point means the walkable place straight above or below it, the nearest one within `reach`. Where a clearance of
-  /// h was asked for, no walkable place lies less than h below an obstacle: with reach < h, a point on an obstacle
-  /// never means the floor beneath it; placeReach() gives that reach.
+  /// A point means the walkable place straight above or below it, the nearest one within `reach`. Behind a clearance of
+  /// h, no walkable place lies less than h below an obstacle: with reach < h, a point on an obstacle never means the
+  /// floor beneath it; placeReach() gives that reach.
   ///
   /// Drops are taken only where nothing else leads to the target. Then each piece between two drops is the shortest one
-  /// there is. Which drops are taken, and where along them, is found by halving their stretches until the path is
-  /// proven to be at most 1 % longer than the shortest, or until the search has taken too many steps:
-  /// PathResult::leastPlanLength tells which.
+  /// there is. The drops, and the places along them, are found by halving their stretches until the path is proven to
+  /// be at most 1 % longer than the shortest, or until the search has taken too many steps; PathResult::leastPlanLength
+  /// is the proven bound.
   ///
-  /// Without drops the path has the same length the other way round, up to rounding. Throws InputError for coordinates
-  /// that are not finite, and Cancelled.
+  /// The length of a path without drops is the same the other way round, up to rounding. Throws InputError for
+  /// coordinates that are not finite, and Cancelled.
   [[nodiscard]] PathResult find(const Vec3& from, const Vec3& to,
                                 double reach = std::numeric_limits<double>::infinity(),
                                 const RunContext* context = nullptr) const;
@@ -176,15 +176,15 @@ class PathFinder {
 
   [[nodiscard]] const NavigationMesh& mesh() const;
 
-  /// For the library's own use.
+  /// Internal to the library.
   [[nodiscard]] const std::shared_ptr<const detail::PathGround>& inside() const { return inside_; }
 
  private:
   std::shared_ptr<const detail::PathGround> inside_;
 };
 
-/// Finds what keeps two parts apart; a part is what hangs together over edges and steps (findComponents()). Made once
-/// for a result (60,000 triangles take some 30 ms), then asked from any thread.
+/// Finds what keeps two parts apart; a part hangs together over edges and steps (findComponents()). It is made once for
+/// a result (60,000 triangles take some 30 ms) and then used from any thread.
 class SeparationFinder {
  public:
   /// `environment` is what the finder's mesh was computed from, `height` (above 0), `step` and `gap` (at least
@@ -195,8 +195,8 @@ class SeparationFinder {
   SeparationFinder(const SeparationFinder&) = delete;
   SeparationFinder& operator=(const SeparationFinder&) = delete;
 
-  /// What keeps the parts of two triangles of the mesh apart. Nothing where they are on one part, or one of the parts
-  /// has no border. Throws Cancelled.
+  /// The reason why the parts of two triangles of the mesh are apart. Empty when they are on one part, or one of the
+  /// parts has no border. Throws Cancelled.
   [[nodiscard]] std::optional<Separation> find(std::uint32_t fromTriangle, std::uint32_t toTriangle,
                                                const RunContext* context = nullptr) const;
 
@@ -204,17 +204,17 @@ class SeparationFinder {
   std::unique_ptr<const detail::SeparationGround> inside_;
 };
 
-/// Where no way leads from start to target (PathStatus::NotConnected): fills in what keeps them apart. `separations`
-/// must be of the finder that gave `result`.
+/// Adds the reason to a result without a way from start to target (PathStatus::NotConnected). `separations` must belong
+/// to the finder that returned `result`.
 void addSeparation(PathResult& result, const SeparationFinder& separations, const RunContext* context = nullptr);
 
-/// Just below the largest clearance that an enabled VerticalClearanceFilter asks for: so far above a walkable place
-/// there is no obstacle, and a point on an obstacle never means a floor beneath it (PathFinder::find). Infinite when
+/// A height just below the largest clearance of the enabled VerticalClearanceFilters: there is no obstacle within it
+/// above a walkable place, and a point on an obstacle never means a floor beneath it (PathFinder::find). Infinite when
 /// there is no such filter.
 double placeReach(const Pipeline& pipeline);
 
-/// The height of the agent that a pipeline is for: the largest clearance that an enabled VerticalClearanceFilter asks
-/// for, or 2 metres, in the environment's units.
+/// The height of the agent that a pipeline is for: the largest clearance of the enabled VerticalClearanceFilters, or 2
+/// metres, in the environment's units.
 double agentHeight(const Pipeline& pipeline, double metresPerUnit);
 
 /// The largest step that an enabled StepFilter allows, in the environment's units; 0 when there is no such filter.

@@ -19,8 +19,8 @@ struct PipelineStep {
   /// in the file's frame.
   std::vector<double> values;
   bool enabled = true;         ///< the editor can switch a step off; in text a disabled step is a comment
-  int line = 0;                ///< where it stood in a file, 1-based; 0 when it came from elsewhere
-  std::vector<int> columns{};  ///< of the values in that line, 1-based, for messages; may be empty or too short
+  int line = 0;                ///< line in a file, 1-based; 0 when it came from elsewhere
+  std::vector<int> columns{};  ///< columns of the values in that line, 1-based, for messages; may be empty or too short
   bool operator==(const PipelineStep& o) const {
     return filter == o.filter && values == o.values && enabled == o.enabled;
   }

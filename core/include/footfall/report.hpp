@@ -1,4 +1,4 @@
-// What is said about results: the header of an export, figures of a run, paths and places, in words and as JSON.
+// Reports about results: the header of an export, figures of a run, paths and places, in words and as JSON.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -36,7 +36,7 @@ ExportHeader makeExportHeader(const Pipeline& pipeline);
 /// Speed-up S and efficiency E against one thread (thesis 5.4 and 5.6): medians of several runs, in milliseconds.
 struct SpeedUp {
   double oneThreadMs = 0;  ///< the same filters without parallel blocks, on one thread
-  double parallelMs = 0;   ///< as given
+  double parallelMs = 0;   ///< time of the run as given
 
   [[nodiscard]] double speedUp() const { return parallelMs > 0 ? oneThreadMs / parallelMs : 1; }
   [[nodiscard]] double efficiency(int threads) const { return speedUp() / threads; }
@@ -47,7 +47,7 @@ struct ProgramTimes {
   double loadMs = 0;
   double exportMs = 0;             ///< 0 when nothing was exported
   double totalMs = 0;              ///< load, run and export
-  std::optional<SpeedUp> speedUp;  ///< where it was measured
+  std::optional<SpeedUp> speedUp;  ///< set if it was measured
 };
 
 /// JSON text with `environment`, `steps` (a list; each with `name`, `parameters` (an object by parameter name),
@@ -73,8 +73,8 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
 /// A table of the steps and a few lines on the result, for a terminal or a log.
 std::string formatSummary(const Environment& environment, const RunResult& result, const ProgramTimes& times = {});
 
-/// What formatStatistics() says of a result alone, where nobody has the run: `program`, `source`, and from `vertices`
-/// to `connected_share`. `area` is the sum of the components.
+/// The part of formatStatistics() that needs a mesh alone: `program`, `source`, and from `vertices` to
+/// `connected_share`. `area` is the sum of the components.
 std::string formatMeshStatistics(const NavigationMesh& mesh);
 
 /// The lines of formatSummary() on what is connected and how.
@@ -91,21 +91,21 @@ std::string formatFailure(const PathResult& path, UpAxis up);
 std::string formatPath(const PathResult& path, UpAxis up);
 
 /// One JSON object: `status` ("found", "nothing_walkable", "start_not_walkable", "target_not_walkable",
-/// "not_connected"), `message` (formatFailure(); empty when found), `from`, `to` (as asked for), `start`, `end` (null
-/// or `position`, `distance` from what was asked for, `layer` or null), `length`, `plan_length`, `layers`,
-/// `connections`, `bends` and `points` (lists of points), `max_slope_degrees`, `max_incline_degrees`, and `separation`,
-/// null unless start and target are on separate parts: `largest` (the place in the list of what to overcome first, from
-/// 0), `links`, from start to target, each with `kind` (linkWord()), `from`, `to`, `gap`, `rise`, `obstacle` and
-/// `headroom` (null where the kind has none), `excess` and `triangles` (BorderLink), `others` (other places, each as in
-/// `links`), and the agent's `height` and `step`. Points are [x, y, z] in the frame of the mesh's file.
+/// "not_connected"), `message` (formatFailure(); empty when found), `from`, `to` (as given), `start`, `end` (null or
+/// `position`, `distance` from the given point, `layer` or null), `length`, `plan_length`, `layers`, `connections`,
+/// `bends` and `points` (lists of points), `max_slope_degrees`, `max_incline_degrees`, and `separation`, null unless
+/// start and target are on separate parts: `largest` (the place in the list of what to overcome first, from 0),
+/// `links`, from start to target, each with `kind` (linkWord()), `from`, `to`, `gap`, `rise`, `obstacle` and `headroom`
+/// (null where the kind has none), `excess` and `triangles` (BorderLink), `others` (other places, each as in `links`),
+/// and the agent's `height` and `step`. Points are [x, y, z] in the frame of the mesh's file.
 std::string formatPathJson(const NavigationMesh& mesh, const PathResult& path);
 
 // --- Places
 // -----------------------------------------------------------------------------------------------------------
 
-/// For people: the place in the file's frame and units, its triangle, the slope, the free height, and the verdict with
-/// the filter and the triangle responsible. Triangles are numbered from 0 in the order of the environment: what was
-/// left out of the file does not count.
+/// A text for people: the place in the file's frame and units, its triangle, the slope, the free height, and the
+/// verdict with the filter and the triangle responsible. Triangles are numbered from 0 in the order of the environment:
+/// triangles that import left out do not count.
 std::string formatExplanation(const Inspector& inspector, const PlaceExplanation& explanation);
 
 /// The same as JSON: `point`, `triangle`, `mesh`, `material`, `slope` (null: no area), `headroom` (null: unlimited),

@@ -18,17 +18,17 @@ namespace detail {
 class PrefixCache;
 }
 
-/// What a run made, and what that took. Times are milliseconds.
+/// The result of a run, and what it took. Times are milliseconds.
 struct RunResult {
   std::vector<StepStatistics> steps;           ///< enabled steps only
   std::shared_ptr<const NavigationMesh> mesh;  ///< never null
-  StateSummary summary;                        ///< of the last state
+  StateSummary summary;                        ///< summary of the last state
   double startMs = 0;                          ///< making the first state from the environment; 0 when cached
-  double finishMs = 0;                         ///< of the navigation mesh, what a last layer filter left
+  double finishMs = 0;                         ///< time for the rest of the navigation mesh, after a last layer filter
   double totalMs = 0;
-  double cpuMs = 0;  ///< of the whole process during the run
+  double cpuMs = 0;  ///< processor time of the whole process during the run
   int threads = 1;
-  std::vector<BlockReport> blocks;  ///< that ran, in order; none from the cache
+  std::vector<BlockReport> blocks;  ///< blocks that ran, in order; none from the cache
   RunTimes times;
 };
 
@@ -45,7 +45,7 @@ class ResultCache {
   /// Drops all states.
   void clear();
 
-  /// For the library's own use.
+  /// Internal to the library.
   [[nodiscard]] detail::PrefixCache& inside() const { return *inside_; }
 
  private:

@@ -16,7 +16,7 @@ struct NavigationMesh;  // footfall/navigation_mesh.hpp
 struct BlockReport;     // footfall/statistics.hpp
 struct CellReport;
 
-/// What a run publishes. Steps are counted from 0.
+/// An event of a run. Steps are counted from 0.
 struct RunEvent {
   enum class Kind {
     StepStarted,  ///< `step`, `text` = filter name
@@ -33,7 +33,7 @@ struct RunEvent {
   std::string text = {};
   std::shared_ptr<const NavigationMesh> part = nullptr;
   std::shared_ptr<const BlockReport> block = nullptr;
-  std::size_t cell = 0;  ///< of the block that ran last
+  std::size_t cell = 0;  ///< number in the block that ran last
   std::shared_ptr<const CellReport> cellReport = nullptr;
 };
 
@@ -57,7 +57,7 @@ class RunContext {
     if (cancelled()) throw Cancelled();
   }
 
-  // What follows is called by runs.
+  // The members below are called by runs.
 
   /// The step that the following progress() and part() calls belong to; set by the runner.
   void beginStep(std::size_t step, const std::string& name) {

@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-/// Where doubles could not decide and exact arithmetic had to, by kind of decision.
+/// The decisions that doubles could not take and exact arithmetic had to, by kind.
 struct ExactFallbacks {
   std::uint64_t slope = 0, height = 0, orientation = 0, side = 0, order = 0, area = 0;
   [[nodiscard]] std::uint64_t total() const { return slope + height + orientation + side + order + area; }
@@ -29,7 +29,7 @@ struct ExactFallbacks {
   }
 };
 
-/// What a pipeline has left at one of its steps.
+/// The state of a pipeline after one of its steps.
 struct StateSummary {
   std::uint64_t triangles = 0;  ///< walkable triangles
   double area = 0;              ///< 3D surface area of the walkable triangles, rounded
@@ -47,7 +47,8 @@ struct StepStatistics {
   std::vector<double> parameters;
   double startMs = 0;  ///< since the run began; the filters of a parallel block begin together
   double wallMs = 0;   ///< inside a parallel block: the filter's share of the time that its cells took
-  double cpuMs = 0;    ///< of the whole process while the step ran; inside a parallel block: of all threads on cells
+  double cpuMs = 0;    ///< processor time of the whole process while the step ran; inside a parallel block: of all
+                       ///< threads on cells
   bool fromCache = false;
   StateSummary in, out;
   Text note;
@@ -79,11 +80,11 @@ struct CellReport {
   double cost = 0;                 ///< estimated before the run, in units of one trivial triangle
   std::uint64_t trianglesIn = 0;   ///< floors (or their pieces) and the obstacles that may matter to them
   std::uint64_t trianglesOut = 0;  ///< walkable triangles that its filters left
-  int thread = 0;                  ///< that began it
+  int thread = 0;                  ///< thread that began it
   double startMs = 0;              ///< since the run began
   double endMs = 0;
-  /// When which thread worked on the cell, in order of time. Idle threads may help with a cell, so spans can be on
-  /// several threads.
+  /// The spans in which threads worked on the cell, in order of time. Idle threads may help with a cell, so spans can
+  /// be on several threads.
   std::vector<CellSpan> spans;
 
   /// Time that threads spent on the cell: the sum of its spans.
@@ -94,7 +95,7 @@ struct CellReport {
 struct BlockReport {
   std::size_t firstStep = 0;  ///< the strategy's, among the enabled steps
   std::size_t lastStep = 0;   ///< Collapse's
-  std::string strategy;       ///< that made the cells, with its parameters
+  std::string strategy;       ///< strategy that made the cells, with its parameters
   Text reason;                ///< why, where Auto picked it; else empty
   double startMs = 0;         ///< since the run began
   double partitioningMs = 0;
@@ -110,7 +111,7 @@ struct BlockReport {
   [[nodiscard]] double imbalance(int threads) const;
 };
 
-/// Where the time of a run went (thesis 5.4), in milliseconds. Without a block, all filters are pre-processing.
+/// The times of the parts of a run (thesis 5.4), in milliseconds. Without a block, all filters are pre-processing.
 struct RunTimes {
   double preprocessing = 0;  ///< filters before the first block (and between blocks)
   double partitioning = 0;   ///< all blocks together, as the next two

@@ -26,7 +26,7 @@ struct Pattern {
 class Text {
  public:
   Text() = default;
-  // What stands in a place is given as it is.
+  // A plain text; placeholders in it stay as they are.
   Text(std::string plain) : pattern_(std::move(plain)) {}
   Text(std::string_view plain) : pattern_(plain) {}
   Text(const char* plain) : pattern_(plain) {}

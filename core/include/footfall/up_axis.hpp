@@ -35,13 +35,13 @@ struct FileAxis {
   double sign = 1;
 };
 
-/// What X, Y and Z inside are in a file. Each is a turn, never a mirror image, so faces keep their winding; signs are
-/// all that numbers change by, so turning and turning back is exact.
+/// The axes of a file for X, Y and Z inside. Each is a turn, never a mirror image, so faces keep their winding; signs
+/// are all that numbers change by, so turning and turning back is exact.
 constexpr std::array<FileAxis, 3> fileAxes(UpAxis up) {
   switch (up) {
     case UpAxis::Y:
       return {{{0, 1}, {2, -1}, {1, 1}}};
-    case UpAxis::X:  // as Collada means it: the file's -Y points right
+    case UpAxis::X:  // meaning of X up in Collada: the file's -Y points right
       return {{{1, -1}, {2, -1}, {0, 1}}};
     case UpAxis::NegativeY:
       return {{{0, 1}, {2, 1}, {1, -1}}};
