@@ -95,7 +95,7 @@ class Benchmark {
     // The limit of memory is for peers that take what they can get: threads reserve address space they never use.
     return runIsolated(
         [&] {
-          detail::keepFreedMemory();  // as `footfall run` does; edits are the editor's, which does not
+          detail::keepFreedMemory();  // Like `footfall run`; edits are the editor's, which does not.
           return measurePipeline(subject, threads, options_.repetition);
         },
         {options_.limits.time, 0});

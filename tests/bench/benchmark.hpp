@@ -14,20 +14,21 @@ struct BenchmarkOptions {
   std::vector<Subject> given;  ///< files from outside
   std::vector<Subject> samples;
   bool growth = false;
-  int cancelMoments = 0;               ///< of each file, and with `growth` of the largest generated environments
+  int cancelMoments = 0;               ///< moments for each file, and with `growth` for the largest generated
+                                       ///< environments
   bool live = false;                   ///< edits of each environment too, and of a generated terrain
   std::vector<std::uint32_t> exports;  ///< triangles of meshes that are written in each format
-  bool reach = false;                  ///< who can reach whom, and nothing else
-  double step = 0.4;                   ///< for `reach`: metres that agents climb at once
+  bool reach = false;                  ///< measure who can reach whom, and nothing else
+  double step = 0.4;                   ///< used with `reach`: metres that agents climb at once
   std::vector<int> threads{1, 2};      ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
-  bool recast = true;                                                 ///< where the program was built with it
-  bool embree = true;                                                 ///< where the program was built with it
+  bool recast = true;                                                 ///< used if the program was built with it
+  bool embree = true;                                                 ///< used if the program was built with it
   std::string prototype;                                              ///< the program, or empty
-  Limits limits{std::chrono::seconds(300), std::uint64_t{4} << 30U};  ///< of one measurement
+  Limits limits{std::chrono::seconds(300), std::uint64_t{4} << 30U};  ///< limits of one measurement
 };
 
-/// Measures everything, telling on standard error what it is at. The result has
+/// Measures everything, with progress on standard error. The result has
 /// - `program`: `version`, `recast`, `embree` (built with it and asked for);
 /// - `threads`, `runs`;
 /// - `environments`: a list; each with `name`, `group` ("given" or "sample"), `clearance`, `metres_per_unit`,

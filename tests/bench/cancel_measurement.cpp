@@ -28,7 +28,7 @@ struct Latency {
   std::string step;
 };
 
-/// What a run is at, told by its threads.
+/// The progress of a run, reported by its threads.
 class Progress {
  public:
   void set(std::string step) {
@@ -61,7 +61,7 @@ class Canceller {
   Canceller(const Canceller&) = delete;
   Canceller& operator=(const Canceller&) = delete;
 
-  /// When it was cancelled; nothing if the run was quicker.
+  /// The latency since it was cancelled; nothing if the run was quicker.
   std::optional<Latency> end() {
     std::optional<Latency> latency;
     {

@@ -1,4 +1,4 @@
-// How long a run goes on after it was told to stop.
+// Measures how long a run goes on after it was cancelled.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -20,8 +20,8 @@ using namespace ui;
 namespace {
 
 constexpr int kRepaints = 9;
-constexpr int kMoves = 40;    // of the mouse, in a drag
-constexpr int kRestMs = 400;  // between two edits: nothing of the one before is under way any more
+constexpr int kMoves = 40;    // moves of the mouse in a drag
+constexpr int kRestMs = 400;  // pause between two edits: nothing of the one before is under way any more
 constexpr int kPatienceMs = 300'000;
 
 /// A way to edit: which field, and the values that it gets one after the other. None comes twice, so that nothing is
@@ -109,7 +109,7 @@ Json measureOpening(EditorWindow& window, ViewWatch& watch, const std::string& e
   return json;
 }
 
-// What no edit can be quicker than: the window painted with nothing new in it.
+// The lower bound of any edit: the window painted with nothing new in it.
 Json measureRepaint(EditorWindow& window) {
   Samples samples;
   QSignalSpy swapped(&window.view(), &LevelView::frameSwapped);

@@ -1,4 +1,5 @@
-// How the editor's own window and widgets answer a person: opening, turning, editing, dragging, switching agents.
+// Measures the response of the editor's own window and widgets to a person: opening, turning, editing, dragging,
+// switching agents.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,14 +10,14 @@
 
 namespace footfall::bench {
 
-inline constexpr double kEditDueMs = 50;    ///< from an edit to the first visible change
-inline constexpr double kPauseDueMs = 100;  ///< in which the window answers nothing
+inline constexpr double kEditDueMs = 50;    ///< limit from an edit to the first visible change
+inline constexpr double kPauseDueMs = 100;  ///< limit of a pause in which the window answers nothing
 inline constexpr QSize kBenchWindow(1100, 800);
 
 struct EditorSubject {
   std::string environment;
-  int edits = 12;     ///< of each parameter; 0: those parameters do not change what one sees
-  bool whole = true;  ///< with obstacles and agents
+  int edits = 12;     ///< edits of each parameter; 0: those parameters do not change what one sees
+  bool whole = true;  ///< true: with obstacles and agents
 };
 
 /// Needs a running GuardedApplication and a display. Members: "environment", "triangles", "opening", "repaint",

@@ -1,4 +1,5 @@
-// What nobody can do without: the bytes of the file, and a tree over the triangles by who builds them fastest, Embree.
+// Measures the least possible work: reading the bytes of the file, and building the fastest tree over the triangles,
+// Embree's.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -10,7 +10,7 @@ namespace footfall::bench {
 using namespace detail;
 namespace {
 
-using Units = std::int64_t;  // of 1/64 m
+using Units = std::int64_t;  // units of 1/64 m
 
 constexpr Units kMetre = 64;
 constexpr std::uint32_t kTrianglesOfBox = 12;
@@ -25,7 +25,7 @@ std::uint64_t mix(std::uint64_t x) {
 
 class Random {
  public:
-  // From `low` to `high`, both included.
+  // A number from `low` to `high`, both included.
   Units between(Units low, Units high) {
     return low + static_cast<Units>(mix(state_++) % static_cast<std::uint64_t>(high - low + 1));
   }

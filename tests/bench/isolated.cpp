@@ -112,7 +112,7 @@ Json runIsolated(const std::function<Json()>& work, const Limits& limits) {
           result = {{"fails", error.what()}};
         }
         writeAll(output, result.dump(-1, ' ', false, Json::error_handler_t::replace));
-        ::_exit(0);  // without the destructors and buffers of the process that it is a copy of
+        ::_exit(0);  // Skips the destructors and buffers of the copied process.
       },
       limits);
   if (!ended.problem.empty()) return {{"fails", ended.problem}};

@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 
 struct Limits {
   std::chrono::seconds time{300};
-  std::uint64_t memoryBytes = 0;  ///< of address space beyond what the process has at its start; 0: no limit
+  std::uint64_t memoryBytes = 0;  ///< address space beyond what the process has at its start; 0: no limit
 };
 
 /// Forks, runs `work` in the child and returns what it gives. When it throws, crashes or exceeds a limit the result is
@@ -25,7 +25,7 @@ Json runIsolated(const std::function<Json()>& work, const Limits& limits = {});
 /// Runs a program with its standard output read; returns {"output": text, "peak_bytes": n}, or {"fails": "why"}.
 Json runProgram(const std::vector<std::string>& command, const Limits& limits = {});
 
-/// Of this process, in bytes: what it holds now, and the most it ever held.
+/// The memory of this process in bytes: what it holds now, and the most it ever held.
 struct ResidentMemory {
   std::uint64_t now = 0, peak = 0;
 };

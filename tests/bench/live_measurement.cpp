@@ -16,7 +16,7 @@ using namespace detail;
 namespace {
 
 constexpr int kEditsPerRun = 12;
-constexpr std::uint32_t kSides = 26;  // of a prism with 4 * 26 - 4 = 100 triangles
+constexpr std::uint32_t kSides = 26;  // sides of a prism with 4 * 26 - 4 = 100 triangles
 
 /// An upright prism, its corners on a grid of 1/64 of `unit` as those of levels are on grids.
 TriangleSoup pillar(const Vec3& foot, double radius, double height, double unit) {

@@ -1,4 +1,4 @@
-// What an edit of a level costs when the results of earlier runs are at hand.
+// Measures the cost of an edit of a level when the results of earlier runs are at hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -28,7 +28,7 @@ class Table {
  public:
   explicit Table(const std::vector<std::string>& header, std::size_t leftColumns = 1);
   void addRow(const std::vector<std::string>& cells);
-  /// With an empty line behind it.
+  /// Returns the text with an empty line behind it.
   [[nodiscard]] std::string text() const { return text_ + '\n'; }
 
  private:

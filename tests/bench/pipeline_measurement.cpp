@@ -126,7 +126,7 @@ class Measurement {
     samples_.add("export_cpu_ms", exporting.cpuMs());
   }
 
-  // After the first run: its memory counts, its times do not.
+  // Call this after the first run: its memory counts, its times do not.
   void keepWarm() {
     peakBytes_ = peakRssBytes();
     samples_.clear();
@@ -171,7 +171,7 @@ class Measurement {
 
   Subject subject_;
   int threads_;
-  tbb::global_control limit_;  // for what happens outside the runner too
+  tbb::global_control limit_;  // covers work outside the runner, too
   ScratchFile export_;
   Samples samples_;
   std::shared_ptr<const Environment> environment_;

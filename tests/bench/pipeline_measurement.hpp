@@ -1,4 +1,4 @@
-// What Footfall itself needs for an environment, from the file to the export.
+// Measures what Footfall itself needs for an environment, from the file to the export.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +12,11 @@ namespace footfall::bench {
 /// The default pipeline with exactly the subject's clearance.
 Pipeline pipelineFor(const Subject& subject, const Environment& environment);
 
-/// That without its StepFilter: what is measured beside peers, none of which has such links, and beside earlier tables.
+/// The subject's pipeline without its StepFilter: it is measured beside peers, none of which has such links, and beside
+/// earlier tables.
 Pipeline pipelineWithoutSteps(const Subject& subject, const Environment& environment);
 
-/// Of the navigation mesh, seen from above, in the square of the environment's unit.
+/// The area of the navigation mesh, seen from above, in the square of the environment's unit.
 double planArea(const NavigationMesh& mesh);
 
 /// Measures load, tree, each step of the pipeline, navigation mesh and export. To be run isolated, as the peak of the

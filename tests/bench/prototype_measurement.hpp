@@ -1,4 +1,4 @@
-// The peer that is exact but throw-away: a program of its own, which tells its time.
+// Measures the peer that is exact but throw-away: a program of its own, which prints its time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -24,7 +24,7 @@ namespace footfall::bench {
 using namespace detail;
 namespace {
 
-/// That of the default pipeline, in metres.
+/// The gap of the default pipeline, in metres.
 constexpr double kGap = 0.05;
 
 RunResult runWith(const Subject& subject, const std::shared_ptr<const Environment>& environment, double step,
@@ -53,7 +53,7 @@ tbb::global_control limitTo(int threads) {
 }
 
 #if FOOTFALL_BENCH_RECAST
-/// How likely two of the places are in one group.
+/// The probability that two of the places are in one group.
 template <class Counts>
 double shareOf(const Counts& counts, std::size_t total) {
   double share = 0;
@@ -109,7 +109,7 @@ Json compareReach(const Subject& subject, double step, int threads) {
     firstPlaces.try_emplace({component, part}, theirs.places[i]);
   }
   if (common == 0) throw std::runtime_error("no place of Recast's lies on ours");
-  // Which of our components Recast joins, and a place of each: the pair that weighs most first.
+  // The components of ours that Recast joins, and a place of each: the pair with the largest weight first.
   std::vector<std::pair<double, Json>> joined;
   const auto listOf = [](const Vec3& p) { return Json{p.x, p.y, p.z}; };
   for (const auto& [one, count] : commonBoth)

@@ -95,7 +95,7 @@ constexpr int kMostSpans = (1 << 24) - 1;
 using PolyMesh = std::unique_ptr<rcPolyMesh, Release<rcFreePolyMesh>>;
 using CompactField = std::unique_ptr<rcCompactHeightfield, Release<rcFreeCompactHeightfield>>;
 
-/// With what is walkable in it.
+/// The field includes what is walkable in it.
 CompactField buildCompactField(Log& log, const Soup& soup, const rcConfig& config) {
   const auto need = [&log](bool done, const char* stage) {
     if (!done) log.fail(stage);
@@ -142,7 +142,7 @@ PolyMesh build(const Soup& soup, const rcConfig& config) {
 }
 
 double planAreaOf(const rcPolyMesh& mesh) {
-  long long twice = 0;  // in cells
+  long long twice = 0;  // twice the area, in cells
   for (int p = 0; p < mesh.npolys; ++p) {
     const unsigned short* polygon = mesh.polys + 2 * p * mesh.nvp;
     int corners = 0;
@@ -162,7 +162,7 @@ Json measureRecast(const Environment& environment, double metresPerUnit, const R
                    const Repetition& repetition) {
   const Soup soup = toSoup(environment);
   const rcConfig config = makeConfig(soup, metresPerUnit, cell, kDemoClimb);
-  ::malloc_trim(0);  // what reading the file has freed must not hide what Recast takes
+  ::malloc_trim(0);  // Memory freed by reading the file must not hide what Recast takes.
   const std::uint64_t before = residentMemory().now;
   Samples samples;
   PolyMesh mesh;

@@ -10,7 +10,7 @@
 
 namespace footfall::bench {
 
-/// In metres.
+/// A cell size in metres.
 struct RecastCell {
   double size = 0.3;
   double height = 0.2;
@@ -25,11 +25,11 @@ struct RecastCell {
 Json measureRecast(const Environment& environment, double metresPerUnit, const RecastCell& cell,
                    const Repetition& repetition);
 
-/// What Recast has found walkable, as a sample of its area: the middle of the top of each open span that one can stand
-/// on, in the environment's units with Z up, and the part that its connections make it belong to.
+/// The places that Recast found walkable, as a sample of its area: the middle of the top of each open span that one can
+/// stand on, in the environment's units with Z up, and the part to which its connections assign it.
 struct RecastPlaces {
   std::vector<Vec3> places;
-  std::vector<std::uint32_t> parts;  ///< of each place, numbered from 0
+  std::vector<std::uint32_t> parts;  ///< part of each place, numbered from 0
   std::uint32_t partCount = 0;
 };
 

@@ -8,7 +8,7 @@
 
 namespace footfall::bench {
 
-/// Of results as runBenchmark() gives them, with the `targets` of judgeTargets().
+/// Formats results as runBenchmark() returns them, with the `targets` of judgeTargets().
 std::string formatReport(const Json& results);
 
 }  // namespace footfall::bench

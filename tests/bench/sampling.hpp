@@ -11,13 +11,13 @@
 
 namespace footfall::bench {
 
-/// Of an empty list 0; of an even number of values the mean of the two in the middle.
+/// The median; 0 for an empty list; for an even number of values the mean of the two in the middle.
 double median(std::vector<double> values);
 
-/// Of positive values; 0 when there are none.
+/// The mean of positive values; 0 when there are none.
 double geometricMean(const std::vector<double>& values);
 
-/// How often to measure: `runs` times after one warm-up, but no more once `seconds` have gone (one run is always made).
+/// The number of measurements: `runs` after one warm-up, but no more once `seconds` have gone (one run is always made).
 struct Repetition {
   int runs = 7;
   double seconds = 20;

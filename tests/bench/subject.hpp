@@ -1,4 +1,4 @@
-// What is measured: files with the clearance of their agents, and the samples of the repository.
+// The subjects of measurements: files with the clearance of their agents, and the samples of the repository.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -111,7 +111,7 @@ class Judge {
     return (*own)["run_ms"].get<double>();
   }
 
-  // On levels of about 60,000 triangles.
+  // Judges levels of about 60,000 triangles.
   void judgeEdits() {
     constexpr const char* kObstacleMoves = "an obstacle of 100 triangles moves, worst";
     constexpr int kSmallest = 40'000, kLargest = 65'000;

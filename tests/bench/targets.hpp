@@ -1,4 +1,4 @@
-// What is due, and whether it is reached.
+// Holds the targets, and judges whether they are met.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,10 @@
 
 namespace footfall::bench {
 
-/// Of results as runBenchmark() gives them, at the last of their thread counts. A list of `against`, `what`, `due` and
-/// `measured` (numbers), `unit`, `at_least` (a due figure is a lower bound), `met` and `where` (the worst case, when
-/// the figure is one). What was not measured has no entry; what failed has null for `measured`.
+/// Judges results as runBenchmark() returns them, at the last of their thread counts. Returns a list of `against`,
+/// `what`, `due` and `measured` (numbers), `unit`, `at_least` (a due figure is a lower bound), `met` and `where` (the
+/// worst case, when the figure is one). Figures that were not measured have no entry; failed ones have null for
+/// `measured`.
 Json judgeTargets(const Json& results);
 
 /// The entry of a list of measurements that belongs to a thread count; null when there is none or it failed.

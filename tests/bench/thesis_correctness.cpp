@@ -8,7 +8,7 @@ namespace footfall::bench {
 using namespace detail;
 namespace {
 
-// How close the bound of the largest distance is to be.
+// The distance between the bounds of the largest distance.
 constexpr double kBoundMetres = 0.001;
 
 }  // namespace

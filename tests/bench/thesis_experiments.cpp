@@ -16,7 +16,7 @@ constexpr int kDueThreads = 2;
 constexpr const char* kAuto = "AutoStrategy";
 // The thesis's choice for 5.5 and 5.6.
 constexpr const char* kSortedFour = "SortedRecursiveStrategy 50 4 true";
-// In its parallel listing (5.4).
+// Used in its parallel listing (5.4).
 constexpr const char* kSortedThree = "SortedRecursiveStrategy 50 3 true";
 
 std::vector<std::string> defaultStrategies(const std::string& name) {
@@ -210,7 +210,7 @@ class Experiments {
     return list;
   }
 
-  // What issue and design ask for, of each environment.
+  // Judges the requirements, for each environment.
   static Json judge(const Json& environments) {
     constexpr int kLarge = 20'000;
     constexpr double kDueLarge = 1.7, kDueSmall = 0.95, kDueTower = 1.0, kDueShare = 0.15;

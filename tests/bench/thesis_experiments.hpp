@@ -11,19 +11,19 @@ namespace footfall::bench {
 
 struct ThesisOptions {
   std::vector<ThesisSubject> subjects;
-  bool due = true, strategies = true, scaling = true, correctness = true;  ///< which experiments
+  bool due = true, strategies = true, scaling = true, correctness = true;  ///< true: run this experiment
   std::vector<std::string> strategyTexts;                                  ///< empty: those of the thesis and ours
-  std::vector<int> threads;         ///< of the scaling, ascending, none above the processors
-  std::vector<int> threadsLeftOut;  ///< that were asked for too
-  int tableThreads = 2;             ///< of strategies and correctness
+  std::vector<int> threads;         ///< threads of the scaling experiment, ascending, none above the processors
+  std::vector<int> threadsLeftOut;  ///< requested numbers of threads that are above the processors
+  int tableThreads = 2;             ///< threads for strategies and correctness
   Rounds rounds;
-  Limits limits{std::chrono::seconds(600), 0};  ///< of one measurement
+  Limits limits{std::chrono::seconds(600), 0};  ///< limits of one measurement
 };
 
-/// As many threads can run at the same time.
+/// The number of threads that can run at the same time.
 int processorCount();
 
-/// Measures everything, telling on standard error what it is at. The result has
+/// Measures everything, with progress on standard error. The result has
 /// - `program` (`version`), `processors`, `threads`, `threads_left_out`, `table_threads`, `due_threads`, `runs`;
 /// - `environments`: a list; each with `name`, `sample` (a boolean), `clearance`, `triangles`, and for the experiments
 ///   that ran:

@@ -1,4 +1,4 @@
-// What the thesis measured (5.4, 5.5), on environments of the sizes of our samples, with 32 threads on 16 cores.
+// The thesis's own figures (5.4, 5.5), on environments of the sizes of our samples, with 32 threads on 16 cores.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,7 +24,8 @@ struct ThesisEnvironment {
 };
 std::optional<ThesisEnvironment> findThesisEnvironment(const std::string& sample);
 
-/// Between the outputs of its sequential and its parallel pipeline: table 6, in metres, and table 7, in its units.
+/// The differences between the outputs of its sequential and its parallel pipeline: table 6, in metres, and table 7, in
+/// its units.
 struct ThesisCorrectness {
   double min = 0, max = 0, mean = 0, rms = 0;
   double sequentialArea = 0, parallelArea = 0;

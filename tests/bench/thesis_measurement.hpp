@@ -20,7 +20,7 @@ struct Configuration {
   int threads = 1;
 };
 
-/// Without a cache.
+/// Runs without a cache.
 RunResult runConfiguration(const ThesisSubject& subject, const std::shared_ptr<const Environment>& environment,
                            const Configuration& configuration);
 

@@ -17,7 +17,7 @@ struct ThesisSubject {
   [[nodiscard]] bool isSample() const { return !pipelineFile.empty(); }
 };
 
-/// Which filters run, in which order and with which parameters.
+/// The filters of a run, with their order and parameters.
 enum class FilterList {
   Own,               ///< the sample's pipeline file, or the default pipeline
   ThesisSequential,  ///< the sequential listing of 5.4 with slope, clearance and area of Own, distances in metres

@@ -218,7 +218,7 @@ class ThesisReport {
     return text.empty() ? text : " (left out here: " + text + ')';
   }
 
-  // Over all experiments.
+  // Counts over all experiments.
   [[nodiscard]] std::array<int, 2> countEqualBytes() const {
     std::array<int, 2> counts{};
     const auto count = [&](const Json& entry) {

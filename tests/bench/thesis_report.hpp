@@ -8,7 +8,7 @@
 
 namespace footfall::bench {
 
-/// Of results as runThesisExperiments() gives them.
+/// Formats results as runThesisExperiments() returns them.
 std::string formatThesisReport(const Json& results);
 
 }  // namespace footfall::bench

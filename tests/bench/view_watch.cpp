@@ -30,7 +30,7 @@ void ViewWatch::begin() {
   pulse_.start();
 }
 
-// What lies between two ticks of the fastest timer there is, somebody who types or drags has to wait for.
+// A person who types or drags has to wait as long as two ticks of the fastest timer are apart.
 void ViewWatch::tick() {
   times_.longestPause = std::max(times_.longestPause, static_cast<double>(sinceTick_.nsecsElapsed()) * 1e-6);
   sinceTick_.start();

@@ -1,4 +1,4 @@
-// What a person in front of the editor would see with a stopwatch in hand.
+// Measures what a person in front of the editor would see with a stopwatch in hand.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,8 +19,8 @@ struct EditTimes {
   double begun = 0;               ///< OpenGL got the first command of that frame
   double visibleCpu = 0;    ///< processor time of all threads until then, which others on the machine cannot stretch
   double finished = 0;      ///< the frame with the finished result was
-  double longestPause = 0;  ///< in which the window could do nothing else
-  double slowestFrame = 0;  ///< of the view
+  double longestPause = 0;  ///< longest pause in which the window could do nothing else
+  double slowestFrame = 0;  ///< slowest frame of the view
 };
 
 /// Follows one edit at a time: call begin(), make the edit, and wait until done().

@@ -96,7 +96,7 @@ int pushCrate() {
   return 0;
 }
 
-/// A large level on a thread of its own; this thread cancels as soon as it hears of the run.
+/// A large level on a thread of its own; this thread cancels as soon as the run reports.
 int cancelRun() {
   const auto level = floorOf(400);
   std::atomic<bool> started{false}, wasCancelled{false};

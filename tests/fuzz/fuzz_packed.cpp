@@ -23,7 +23,7 @@ std::string_view within(const std::string& bytes, std::uint64_t offset, std::uin
   return std::string_view(bytes).substr(static_cast<std::size_t>(offset), static_cast<std::size_t>(size));
 }
 
-/// Of the coarse faces, where all of them lie in the bytes.
+/// Writes the sum of the coarse faces, if all of them lie in the bytes.
 void putCoarseSum(std::string& bytes, const PackedHeader& header) {
   const std::string_view table = within(bytes, header.tableOffset, tableSize(header.blocks, header.version));
   if (table.empty()) return;

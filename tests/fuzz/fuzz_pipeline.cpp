@@ -1,4 +1,4 @@
-// footfall-fuzz-pipeline: random environments and filters against the reference implementation, for as long as wanted.
+// footfall-fuzz-pipeline: random environments and filters against the reference implementation, for any length of time.
 //
 //   footfall-fuzz-pipeline [--seconds N | --cases C] [--seed S] [--folder F]
 //

@@ -1,4 +1,4 @@
-// What the fuzz targets have in common: the entry point, and how a broken promise ends the program.
+// The code that the fuzz targets share: the entry point, and the end of the program when a promise is broken.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,7 +27,7 @@ inline void require(bool promise, const std::string& what) {
   std::abort();
 }
 
-/// What every message to a user must be: one line that begins with the file's name and says what to do.
+/// Requires what holds for every message to a user: one line that begins with the file's name and says what to do.
 inline void requireGoodMessage(std::string_view message, std::string_view file) {
   require(message.starts_with(file), "the message does not begin with the file: " + std::string(message));
   require(message.find("; ") != message.npos, "the message does not say what to do: " + std::string(message));

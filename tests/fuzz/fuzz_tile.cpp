@@ -58,7 +58,7 @@ void requireInRange(const Tile& tile) {
       require(v >= 0 && static_cast<std::size_t>(v) < vertices, "a link leads out of range");
 }
 
-// By itself and with itself, all of it or some.
+// Joins the tile by itself and with itself, all of it or some.
 void joinSome(const Tile& tile, const TileRegions& regions) {
   std::vector<char> keeps(regions.areas.size(), 1);
   for (std::size_t r = 0; r < keeps.size(); r += 2) keeps[r] = 0;

@@ -19,7 +19,7 @@ using Clock = std::chrono::steady_clock;
 
 [[noreturn]] void failSystem(const char* what) { throw std::system_error(errno, std::generic_category(), what); }
 
-/// In the child.
+/// Runs in the child.
 [[noreturn]] void answer(const std::function<std::string()>& call, int pipe, bool quiet) {
   if (quiet) {
     const int nothing = ::open("/dev/null", O_WRONLY);

@@ -1,4 +1,4 @@
-// What must hold for a random environment with random filters.
+// Checks what must hold for a random environment with random filters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -10,7 +10,7 @@
 namespace footfall::reference {
 namespace {
 
-constexpr double kBeside = 1e-7;  // how far from a corner a place beside it is
+constexpr double kBeside = 1e-7;  // distance from a corner to a place beside it
 
 }  // namespace
 
@@ -97,7 +97,7 @@ void BentDistance::findDistances(bool orDoubtful) {
       corners_[i].isDoubtful = corners_[i].isDoubtful || isDoubtful;
       if (least) offer(i, *least);
     }
-  // Along an edge of the border, which doubles may take for a walk into it.
+  // The walk runs along an edge of the border, which doubles may take for a walk into it.
   for (const BorderDistance::Border& border : straight_.borders()) {
     const auto& [begin, end, kind] = border.stretch;
     if (kind != kind_ && !(orDoubtful && kind == BorderKind::Doubtful)) continue;

@@ -1,5 +1,5 @@
-// How far it is from a place of a navigation mesh to one kind of border by the shortest walk, which may bend round
-// corners (docs/explanation/model.md, Margins): all corners that see each other, slow, obvious, in doubles.
+// Measures how far it is from a place of a navigation mesh to one kind of border by the shortest walk, which may bend
+// round corners (docs/explanation/model.md, Margins): all corners that see each other, slow, obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,20 +15,20 @@ namespace footfall::reference {
 
 class BentDistance {
  public:
-  /// How far its distances may be off: a corner is a place beside it.
+  /// The error of its distances: a corner is a place beside it.
   static constexpr double kError = 1e-6;
 
-  /// Of a border that is divided, up to a limit. Both must outlive it.
+  /// Measures on a divided border, up to a limit. Both must outlive it.
   BentDistance(const NavigationMesh& mesh, const BorderDistance& straight, BorderKind kind, double most);
 
-  /// As BorderDistance::at().
+  /// The distance, as in BorderDistance::at().
   [[nodiscard]] BorderDistance::Distance at(const SurfacePlace& from, bool orDoubtful) const;
 
  private:
-  /// Where triangles go round an end of the border, from one edge of it to the next one.
+  /// The corner at which triangles go round an end of the border, from one edge of it to the next one.
   struct Corner {
     double x = 0, y = 0;
-    std::vector<SurfacePlace> beside;            ///< in each of these triangles
+    std::vector<SurfacePlace> beside;            ///< place in each of these triangles
     std::array<std::optional<double>, 2> least;  ///< certain, and with what is doubtful
     bool isDoubtful = false;
   };

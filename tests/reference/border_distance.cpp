@@ -27,7 +27,7 @@ Place nearestOn(const Place& a, const Place& b, const BorderStretch& part, doubl
 }  // namespace
 
 BorderDistance::BorderDistance(const NavigationMesh& mesh) : mesh_(mesh), beyond_(mesh.triangles.size()) {
-  std::map<std::array<std::uint32_t, 2>, std::vector<Border>> sides;  // by their ends
+  std::map<std::array<std::uint32_t, 2>, std::vector<Border>> sides;  // keyed by their ends
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
     for (int k = 0; k < 3; ++k) sides[{mesh.triangles[t][k], mesh.triangles[t][(k + 1) % 3]}].push_back({t, k, {}});
   for (const auto& [ends, own] : sides) {
@@ -108,7 +108,7 @@ bool BorderDistance::isNeedle(std::uint32_t triangle) const {
   return longest < 1e-9 || orientation(a, b, c) < 1e-6 * longest * longest;
 }
 
-// Along the line of one that is not, everything is inside of it for doubles.
+// Doubles place everything on its line inside a triangle that is not wide.
 bool BorderDistance::isWide(std::uint32_t triangle) const {
   const Place a = corner(triangle, 0), b = corner(triangle, 1), c = corner(triangle, 2);
   const double around = std::hypot(b[0] - a[0], b[1] - a[1]) + std::hypot(c[0] - b[0], c[1] - b[1]);
@@ -122,7 +122,7 @@ std::optional<std::uint32_t> BorderDistance::find(double x, double y, double z, 
     bool isInside = isWide(t);
     for (int k = 0; k < 3; ++k) {
       const Place a = corner(t, k), b = corner(t, k + 1);
-      // On an edge between two triangles roundings may take a place out of both.
+      // Roundings may take a place on an edge out of both triangles.
       const double hair = 1e-15 * std::hypot(b[0] - a[0], b[1] - a[1]) * (std::fabs(x) + std::fabs(y));
       isInside = isInside && orientation(a, b, {x, y}) >= -hair;
     }
@@ -142,7 +142,7 @@ BorderDistance::Walk BorderDistance::walk(const SurfacePlace& from, double x, do
   double passed = 0;
   bool isDoubtful = isNeedle(t);
   for (std::size_t step = 0; step <= mesh_.triangles.size(); ++step) {
-    // Where the line leaves the triangle, if that is before the target.
+    // The edge where the line leaves the triangle, if that is before the target.
     int exit = -1;
     double share = 1;
     for (int k = 0; k < 3; ++k) {
@@ -212,14 +212,14 @@ BorderDistance::Distance BorderDistance::leastOf(const SurfacePlace& from, doubl
   return distance;
 }
 
-// Beside a border's very end one can be on another floor of nearly the same height.
+// A place beside a border's very end may be on another floor of nearly the same height.
 BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most, bool orDoubtful) const {
   return leastOf(from, most, [&](const Border& border, const Walk& way, bool) {
     return orDoubtful || way.isStopped || way.end.triangle == border.triangle;
   });
 }
 
-// What stops a walk is nearer, and counts as what it is.
+// The border that stops a walk is nearer, and counts as its own kind.
 BorderDistance::Distance BorderDistance::at(const SurfacePlace& from, double most, BorderKind kind,
                                             bool orDoubtful) const {
   return leastOf(from, most, [&](const Border& border, const Walk& way, bool isStoppedBefore) {

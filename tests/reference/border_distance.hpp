@@ -1,5 +1,5 @@
-// How far it is from a place of a navigation mesh to its border, by walking there (docs/explanation/model.md, Margins):
-// slow, obvious, in doubles.
+// Measures how far it is from a place of a navigation mesh to its border, by walking there (docs/explanation/model.md,
+// Margins): slow, obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,7 +27,7 @@ class BorderDistance {
   struct Border {
     std::uint32_t triangle = 0;
     int side = 0;
-    BorderStretch stretch{};  ///< of the side; all of it until divide()
+    BorderStretch stretch{};  ///< part of the side; all of it until divide()
   };
   [[nodiscard]] const std::vector<Border>& borders() const { return borders_; }
 
@@ -47,8 +47,8 @@ class BorderDistance {
   struct Walk {
     SurfacePlace end;
     double length = 0;
-    bool isStopped = false;   ///< at a border
-    bool isDoubtful = false;  ///< by way of a needle
+    bool isStopped = false;   ///< stopped at a border
+    bool isDoubtful = false;  ///< came over a needle
   };
   /// Straight on to a place of the plan, or to the first border.
   [[nodiscard]] Walk walk(const SurfacePlace& from, double x, double y) const;
@@ -76,9 +76,9 @@ class BorderDistance {
   const NavigationMesh& mesh_;
   std::vector<std::array<std::vector<std::uint32_t>, 3>> beyond_;  ///< triangles
   std::vector<Border> borders_;
-  int cells_ = 1;  ///< of the grid, along either axis
+  int cells_ = 1;  ///< cells of the grid, along either axis
   std::array<double, 2> lower_{}, upper_{};
-  std::vector<std::vector<std::uint32_t>> trianglesIn_, bordersIn_;  ///< of a grid over the plan
+  std::vector<std::vector<std::uint32_t>> trianglesIn_, bordersIn_;  ///< triangles in each cell of a grid over the plan
 };
 
 }  // namespace footfall::reference

@@ -10,10 +10,12 @@
 namespace footfall::reference {
 namespace {
 
-constexpr double kHair = 1e-7;    // of heights and shares
-constexpr double kBeside = 1e-6;  // how far to the right of the border is "beside"
-constexpr double kCloser = 1e-3;  // of that: what differs there, or as much closer, has another limit than doubles see
-constexpr double kLeaning = 1e-11;  // what leans by less from its foot to its top is an upright wall that was rounded
+constexpr double kHair = 1e-7;      // tolerance of heights and shares
+constexpr double kBeside = 1e-6;    // distance to the right of the border of a place beside it
+constexpr double kCloser = 1e-3;    // share of that: a border that differs there, or as much closer, has another limit
+                                    // than doubles resolve
+constexpr double kLeaning = 1e-11;  // least lean from foot to top: below it, the wall is an upright one that was
+                                    // rounded
 
 /// Heights of a triangle straight over a place of the plan.
 struct HeightRange {
@@ -22,8 +24,8 @@ struct HeightRange {
 
 double squaredPlanLength(const Vec3& p, const Vec3& q) { return (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y); }
 
-/// Where an upright triangle or any other one is cut by the upright line at (x, y), which upright ones need meet only
-/// within `reach`.
+/// The heights at which an upright triangle or any other one is cut by the upright line at (x, y), which upright ones
+/// need meet only within `reach`.
 std::optional<HeightRange> heightsAt(const std::array<Vec3, 3>& t, double x, double y, double reach) {
   const double area = (t[1].x - t[0].x) * (t[2].y - t[0].y) - (t[1].y - t[0].y) * (t[2].x - t[0].x);
   const double longest =
@@ -55,7 +57,7 @@ void addShare(double share, std::vector<double>& shares) {
   if (share > 0 && share < 1) shares.push_back(share);
 }
 
-/// Where along the edge something about a triangle may change.
+/// Adds the places along the edge at which something about a triangle may change.
 void addShares(const std::array<Vec3, 3>& t, const Vec3& a, const Vec3& b, double step, double height,
                std::vector<double>& shares) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -68,13 +70,13 @@ void addShares(const std::array<Vec3, 3>& t, const Vec3& a, const Vec3& b, doubl
       const double s = atP / (atP - atQ);
       addShare(shareOf({p.x + s * (q.x - p.x), p.y + s * (q.y - p.y), 0}), shares);
     }
-    for (const double level : {step, height}) {  // of an upright triangle's edge
+    for (const double level : {step, height}) {  // levels along an upright triangle's edge
       const double overP = p.z - (a.z + shareOf(p) * (b.z - a.z) + level);
       const double overQ = q.z - (a.z + shareOf(q) * (b.z - a.z) + level);
       if (overP * overQ < 0) addShare(shareOf(p) + overP / (overP - overQ) * (shareOf(q) - shareOf(p)), shares);
     }
   }
-  // Where the plane is that much over the edge.
+  // The place where the plane is that much over the edge.
   const Vec3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z}, v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
   const Vec3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
   if (n.z == 0) return;

@@ -1,5 +1,5 @@
-// Which parts of a border are walls and which are ledges (docs/explanation/model.md, Walls and ledges): slow, obvious,
-// in doubles.
+// Finds which parts of a border are walls and which are ledges (docs/explanation/model.md, Walls and ledges): slow,
+// obvious, in doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,9 @@ struct BorderStretch {
   BorderKind kind = BorderKind::Doubtful;
 };
 
-/// Of a border edge, with walkable area on its left: at a wall is what the environment reaches over, strictly between
-/// the step and the height above it, straight over it or beside it on the right. Doubtful is what a hair decides.
+/// Divides a border edge, with walkable area on its left. A place is at a wall when the environment reaches over it,
+/// strictly between the step and the height above it, straight over it or beside it on the right. Places that a hair
+/// decides are doubtful.
 std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec3& a, const Vec3& b, double step,
                                        double height);
 

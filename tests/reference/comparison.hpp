@@ -34,7 +34,7 @@ struct EdgeUse {
 using EdgeMap = std::map<std::array<Point3, 2>, std::vector<EdgeUse>>;
 EdgeMap findEdges(const std::vector<Piece>& pieces);
 
-/// For each piece the number of its connected part over whole shared edges that are not obstacle edges.
+/// The number of each piece's connected part over whole shared edges that are not obstacle edges.
 std::vector<std::size_t> connectedParts(const std::vector<Piece>& pieces);
 
 /// The first disagreement in words, or an empty text when the product is exactly what the reference says:

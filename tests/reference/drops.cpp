@@ -8,7 +8,7 @@
 namespace footfall::reference {
 namespace {
 
-/// At a right angle to the border, where nothing is walkable; as long as the border.
+/// The direction at a right angle to the border, where nothing is walkable; as long as the border.
 Point2 outwardsOf(const BorderEdge3& border) { return {border.to.y - border.from.y, border.from.x - border.to.x}; }
 
 /// A triangle that is not vertical covers a place moved by nearly nothing in a direction.
@@ -103,7 +103,7 @@ bool canDropAcross(const Environment& environment, const BorderEdge3& border, co
   const Linear walkable = leftOf(planOf(landing.from), planOf(landing.to));
   const Rational entering = walkable.a * outwards.x + walkable.b * outwards.y;
   if (entering <= 0) return false;
-  const Rational t = -walkable.at(place) / entering;  // in lengths of the border
+  const Rational t = -walkable.at(place) / entering;  // measured in lengths of the border
   const Rational squared = outwards.x * outwards.x + outwards.y * outwards.y;
   if (t <= 0 || t * t * squared <= agent.least * agent.least || t * t * squared > agent.reach * agent.reach)
     return false;

@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::vector<Point3>;
 
-/// What is left of a convex polygon in space on one side of an upright plane.
+/// The part of a convex polygon in space on one side of an upright plane.
 Corners clipped(const Corners& polygon, const Linear& keep) {
   Corners left;
   for (std::size_t i = 0; i < polygon.size(); ++i) {

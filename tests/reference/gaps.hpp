@@ -1,5 +1,5 @@
-// Where an agent steps over the gap between two borders, straight from the definition (docs/explanation/model.md,
-// Gaps): slow, obvious, exact.
+// Decides where an agent steps over the gap between two borders, straight from the definition
+// (docs/explanation/model.md, Gaps): slow, obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace footfall::reference {
 
-/// Of an edge: from + part (to - from).
+/// A place on an edge: from + part (to - from).
 Point3 placeOn(const BorderEdge3& edge, const Rational& part);
 
 /// The definition for a place p of one border and q of another: they are at most `gap` apart in the plan and not over

@@ -10,7 +10,7 @@
 namespace footfall::reference {
 namespace {
 
-/// What a double says of a rational: both ends of what it may be.
+/// The bounds of a rational given by a double: both ends of what it may be.
 struct Bounds {
   double lower = 0, upper = 0;
 };
@@ -30,7 +30,8 @@ Bounds boundsOf(const Rational& value) {
 struct Nearly {
   double value = 0, size = 0;
 };
-constexpr double kOff = 0x1p-47;  // of `size`: each operand is off by 2^-52, each operation by 2^-53, and there are few
+constexpr double kOff = 0x1p-47;  // share of `size`: each operand is off by 2^-52, each operation by 2^-53, and there
+                                  // are few
 
 Nearly difference(const Rational& a, const Rational& b) {
   const double p = a.get_d(), q = b.get_d();
@@ -162,7 +163,7 @@ bool mayTouch(const Polygon& a, const Polygon& b) {
 
 namespace {
 
-/// On which sides of a line a polygon has corners.
+/// The sides of a line on which a polygon has corners.
 struct Sides {
   bool left = false, right = false;
 };
@@ -176,7 +177,7 @@ Sides sidesOf(const Polygon& polygon, const Point2& from, const Point2& to) {
   return sides;
 }
 
-/// The part on the left of a line, and the part on its right where that is asked for.
+/// The part on the left of a line, and, if requested, the part on its right.
 Polygon leftPart(const Polygon& polygon, const Point2& from, const Point2& to, Polygon* right = nullptr) {
   const Sides sides = sidesOf(polygon, from, to);
   if (!sides.right) return polygon;

@@ -61,7 +61,7 @@ Polygon clip(const Polygon& polygon, const Linear& keep);
 Polygon intersection(const Polygon& a, const Polygon& b);
 /// Twice the area that two polygons have in common.
 Rational twiceCommonArea(const Polygon& a, const Polygon& b);
-/// What is left of disjoint pieces without `hole`, as disjoint convex pieces.
+/// The remainder of disjoint pieces without `hole`, as disjoint convex pieces.
 std::vector<Polygon> subtract(const std::vector<Polygon>& pieces, const Polygon& hole);
 bool mayTouch(const Polygon& a, const Polygon& b);
 

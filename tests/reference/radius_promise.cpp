@@ -39,7 +39,7 @@ RadiusPromise::RadiusPromise(const NavigationMesh& before, std::size_t floors, c
   }
 }
 
-// What is nearer than the smaller distance by a walk that bends is nearer than that to what it bends at.
+// A place that is nearer than the smaller distance by a walk that bends is nearer than that to the border at the bend.
 void RadiusPromise::divide(const Environment& environment, double step, double height) {
   before_.divide(environment, step, height, floors_);
   const BorderKind larger = asked_.walls > asked_.ledges ? BorderKind::Wall : BorderKind::Ledge;
@@ -79,17 +79,17 @@ SurfacePlace RadiusPromise::nearBorder(double which, double along, double how) c
   const SurfacePlace start = inside(t, 0.3, 0.3);
   const Vec3 &a = mesh_.vertices[mesh_.triangles[t][side]], &b = mesh_.vertices[mesh_.triangles[t][(side + 1) % 3]];
   const double x = a.x + along * (b.x - a.x), y = a.y + along * (b.y - a.y);
-  // From inside the triangle to a place by the border, and from there in some direction.
+  // The walk goes from inside the triangle to a place by the border, and from there in some direction.
   const SurfacePlace there{t, x + 1e-3 * (start.x - x), y + 1e-3 * (start.y - y)};
   const double angle = 7919 * along, length = 1.6 * how * radius_;
   const BorderDistance::Walk way =
       before_.walk(there, there.x + length * std::cos(angle), there.y + length * std::sin(angle));
-  return way.isDoubtful ? there : way.end;  // over a needle one can come to a place that is not on the triangle there
+  return way.isDoubtful ? there : way.end;  // A walk over a needle can reach a place that is not on the triangle there.
 }
 
 void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const {
-  constexpr double kRounding = 1e-9;  // what the doubles of the two products are off, beside coordinates of about 10
-  if (place.triangle >= floors_) return;  // above a gap
+  constexpr double kRounding = 1e-9;      // error of the doubles of the two products, for coordinates of about 10
+  if (place.triangle >= floors_) return;  // The place is above a gap.
   if (before_.isNeedle(place.triangle)) {
     ++tally.onNeedles;
     return;
@@ -101,7 +101,7 @@ void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const 
   const auto isFar = [&](const std::optional<double>& d, double asked) {
     return !d || *d > (1 + asked_.tolerance) * asked + slack;
   };
-  // On a border that keeps nothing away, a place is on either side of it.
+  // A place on a border that keeps nothing away is on either side of it.
   const auto isOn = [&](const std::optional<double>& d) { return d && *d < slack; };
   if ((asked_.walls == 0 && isOn(possible.wall)) || (asked_.ledges == 0 && isOn(possible.ledge))) {
     ++tally.between;
@@ -118,7 +118,7 @@ void RadiusPromise::lookAt(const SurfacePlace& place, RadiusTally& tally) const 
   }
 }
 
-// With equal distances nobody needs to know what is a wall.
+// Walls need not be found if the distances are equal.
 RadiusPromise::Nearest RadiusPromise::nearestTo(const SurfacePlace& place, bool orDoubtful) const {
   const double most = 1.2 * radius_;
   if (asked_.areEqual()) {
@@ -155,8 +155,8 @@ RadiusCase::RadiusCase(const std::shared_ptr<const Environment>& environment, co
   std::snprintf(filter.data(), filter.size(), "\nRadiusFilter %.17g %.17g %.17g\n", distances.walls, distances.ledges,
                 distances.tolerance);
   const test::StatePtr state = test::runFilters(environment, before);
-  // Which of several gaps at one edge has the bridge is a matter of their order: then the area must be in the triangles
-  // that the filter has it in.
+  // The order of several gaps at one edge decides which has the bridge: the area must have the triangles that the
+  // filter has.
   NavigationMesh floors = test::navigationMesh(state);
   if (measured == MeasuredArea::Simplified ||
       std::any_of(floors.links.begin(), floors.links.end(),

@@ -14,20 +14,20 @@
 
 namespace footfall::reference {
 
-/// What an agent keeps away from walls and from ledges.
+/// The distances that an agent keeps to walls and to ledges.
 struct RadiusDistances {
   double walls = 0, ledges = 0;
   double tolerance = 0.01;
   [[nodiscard]] bool areEqual() const { return walls == ledges; }
 };
 
-/// How many places were looked at.
+/// The number of places that were checked.
 struct RadiusTally {
-  std::size_t near = 0, far = 0;     ///< of which it is certain that they must go, or stay
+  std::size_t near = 0, far = 0;     ///< number of those that certainly must go, or stay
   std::size_t between = 0;           ///< may go or stay
   std::size_t onNeedles = 0;         ///< triangles so thin that doubles say nothing of them
   std::size_t doubtful = 0;          ///< walks from there came upon one
-  std::size_t wrong = 0;             ///< that should have gone and stayed, or the other way round
+  std::size_t wrong = 0;             ///< number of those that should have gone and stayed, or the other way round
   std::vector<std::string> reports;  ///< about the first of these
   RadiusTally& operator+=(const RadiusTally& other);
 };
@@ -60,7 +60,7 @@ class RadiusPromise {
   const NavigationMesh& mesh_;
   std::size_t floors_;
   BorderDistance before_, after_;
-  std::unique_ptr<BentDistance> bent_;  ///< to the kind that keeps more away, where the distances differ
+  std::unique_ptr<BentDistance> bent_;  ///< distance to the kind that keeps more away, if the distances differ
   RadiusDistances asked_;
   double radius_;  ///< the larger one
   std::vector<double> sums_;
@@ -69,8 +69,8 @@ class RadiusPromise {
 /// A mesh with bridges over its gaps, behind its own triangles, and with no other links than steps.
 NavigationMesh bridged(const NavigationMesh& mesh);
 
-/// What the area is measured in. Where lines coincide but for roundings, the rounded products of the area as it is and
-/// of the simplified area that RadiusFilter begins with differ, in what is joined and by slivers.
+/// The mesh on which the area is measured. Where lines coincide but for roundings, the rounded products of the area as
+/// it is and of the simplified area that RadiusFilter begins with differ, in what is joined and by slivers.
 enum class MeasuredArea { AsGiven, Simplified };
 
 /// A pipeline's text with RadiusFilter behind it, against the same without.

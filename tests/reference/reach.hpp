@@ -1,5 +1,5 @@
-// What can be reached from a seed, straight from the definition (docs/explanation/model.md, Reachable places): slow,
-// obvious, exact.
+// Finds what can be reached from a seed, straight from the definition (docs/explanation/model.md, Reachable places):
+// slow, obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,7 +31,7 @@ std::optional<std::vector<std::size_t>> partsReached(const std::vector<FloorPiec
 /// The cells of an area, numbered through all regions.
 std::vector<FloorPiece> piecesOf(const WalkableArea& area);
 
-/// For each of `count` pieces the number of its part, when an agent can cross between those of each pair.
+/// The number of the part of each of `count` pieces, if an agent can cross between those of each pair.
 std::vector<std::size_t> partsOf(std::size_t count, const std::vector<std::array<std::size_t, 2>>& crossings);
 
 }  // namespace footfall::reference

@@ -54,7 +54,7 @@ bool isIn(const NavigationMesh& mesh, Index t, const Vec3& p) {
   return true;
 }
 
-/// Whether the straight line from p to q goes through these sides in order, where it may run along one.
+/// True when the straight line from p to q goes through these sides in order, where it may run along one.
 bool seesThrough(const Vec3& p, const Vec3& q, const Way* const* first, const Way* const* last) {
   const double dx = q.x - p.x, dy = q.y - p.y, squared = dx * dx + dy * dy, slack = 1e-9;
   const auto parameter = [&](const Vec3& x) { return ((x.x - p.x) * dx + (x.y - p.y) * dy) / squared; };
@@ -85,7 +85,7 @@ bool seesThrough(const Vec3& p, const Vec3& q, const Way* const* first, const Wa
 double shortestThrough(const std::vector<const Way*>& sides, const Vec3& from, const Vec3& to) {
   struct Stop {
     Vec3 p;
-    std::size_t side;  ///< before this many sides
+    std::size_t side;  ///< number of the next side
     double length;
   };
   std::vector<Stop> stops{{from, 0, 0}};
@@ -145,7 +145,7 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
       const Index a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
       sides[{std::min(a, b), std::max(a, b)}].emplace_back(t, i);
     }
-  using Side = std::pair<Index, std::size_t>;  // of a triangle
+  using Side = std::pair<Index, std::size_t>;  // a side of a triangle
   std::map<Side, std::vector<Side>> steps;
   const auto sideOf = [&](Index t, Index from) {
     return Side{t, static_cast<std::size_t>(std::ranges::find(mesh.triangles[t], from) - mesh.triangles[t].begin())};
@@ -188,7 +188,7 @@ double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from
     const Index a = mesh.triangles[t][side], b = mesh.triangles[t][(side + 1) % 3];
     const auto cross = [&](Index other, std::size_t otherSide) {
       const std::size_t there = other * perTriangle + otherSide * perSide + (perSide - 1 - node % perSide);
-      improve(there, length + planDistance(position(node), position(there)));  // over a gap they lie apart
+      improve(there, length + planDistance(position(node), position(there)));  // The two ends lie apart over a gap.
     };
     if (const auto found = steps.find({t, side}); found != steps.end()) {
       for (const auto& [other, otherSide] : found->second) cross(other, otherSide);
@@ -233,7 +233,7 @@ std::string findPathError(const NavigationMesh& mesh, const PathResult& path, do
     const bool isStep = std::ranges::find(path.steps, i) != path.steps.end();
     if (isStep && planDistance(path.points[i], path.points[i + 1]) != 0) return "a step is not upright";
     if (i == 0 || path.triangles[i - 1] == t) continue;
-    // Around the point at which it goes from one triangle into the next: through triangles that all reach it, and over
+    // The path goes around this point from one triangle into the next: through triangles that all reach it, and over
     // links where the path says so.
     std::set<Index> seen{path.triangles[i - 1]};
     std::vector<Index> stack{path.triangles[i - 1]};

@@ -21,8 +21,8 @@ std::optional<double> shortestOfAllSequences(const NavigationMesh& mesh, const S
 /// none.
 double lengthOverSidePoints(const NavigationMesh& mesh, const SurfacePlace& from, const SurfacePlace& to, int points);
 
-/// What is wrong with a path: pieces that leave their triangle by more than `tolerance`, neighbours that do not hang
-/// together where the path crosses, steps where no link is, figures that do not fit. Empty when nothing is.
+/// The first error of a path: pieces that leave their triangle by more than `tolerance`, neighbours that do not hang
+/// together where the path crosses, steps where no link is, figures that do not fit. Empty when it has none.
 std::string findPathError(const NavigationMesh& mesh, const PathResult& path, double tolerance);
 
 }  // namespace footfall::reference

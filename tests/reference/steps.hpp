@@ -1,5 +1,5 @@
-// Where an agent steps from one border to another, straight from the definition (docs/explanation/model.md, Links):
-// slow, obvious, exact.
+// Decides where an agent steps from one border to another, straight from the definition (docs/explanation/model.md,
+// Links): slow, obvious, exact.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -156,7 +156,7 @@ WalkableArea computeWalkableArea(const Environment& environment, const AgentLimi
     auto region =
         std::find_if(area.regions.begin(), area.regions.end(), [&](const Region& r) { return r.plane == plane; });
     if (region == area.regions.end()) region = area.regions.insert(area.regions.end(), Region{plane, {}, {}, {}});
-    // What earlier floors of the plane cover is there already.
+    // Parts that earlier floors of the plane cover exist already.
     std::vector<Polygon> pieces{planTriangle(*corners)};
     for (const std::uint32_t f : region->floors) pieces = subtract(pieces, planTriangle(cornersOf(environment, f)));
     region->floors.push_back(t);
@@ -203,7 +203,7 @@ void findMeetings(const Region& r, const Region& s, const Polygon& a, const Poly
       if (!common || r.plane.at(common->from) != s.plane.at(common->from) ||
           r.plane.at(common->to) != s.plane.at(common->to))
         continue;
-      // On the line itself both floors are equally high, so a wall's trace is the same on either.
+      // Both floors are equally high on the line itself, so a wall's trace is the same on either.
       for (Segment2& part : uncoveredParts(*common, r.traces)) {
         meeting.freeLength += lengthInSpace(part, r.plane);
         meeting.free.push_back(std::move(part));

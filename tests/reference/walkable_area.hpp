@@ -14,7 +14,7 @@ namespace footfall::reference {
 /// True when the angle between the upward normal and +Z is at most `degrees`, exactly. `corners` face up.
 bool isWithinSlope(const std::array<Point3, 3>& corners, double degrees);
 
-/// What an agent may ask for; empty: the filter does not run.
+/// The limits of an agent; empty: the filter does not run.
 struct AgentLimits {
   std::optional<double> slope;      ///< degrees
   std::optional<double> clearance;  ///< height, in the environment's units
@@ -25,7 +25,7 @@ struct Region {
   Linear plane;
   std::vector<std::uint32_t> floors;  ///< input triangles that face up, within the slope
   std::vector<Polygon> cells;         ///< the walkable part: disjoint, convex
-  std::vector<Segment2> traces;       ///< where walls block, not cut to the floors
+  std::vector<Segment2> traces;       ///< traces on which walls block, not cut to the floors
 };
 
 struct WalkableArea {
@@ -37,8 +37,8 @@ struct WalkableArea {
 /// the union of its floors and nothing blocks.
 WalkableArea computeWalkableArea(const Environment& environment, const AgentLimits& agent);
 
-/// Where in the plan a triangle is strictly above the plane and strictly below it raised by `height` (closure; empty
-/// when it has no area).
+/// The area in the plan where a triangle is strictly above the plane and strictly below it raised by `height` (closure;
+/// empty when it has no area).
 Polygon blockedArea(const std::array<Point3, 3>& obstacle, const Linear& floor, const Rational& height);
 /// The same for a vertical triangle; nothing for other ones and for those without area.
 std::optional<Segment2> blockedTrace(const std::array<Point3, 3>& obstacle, const Linear& floor,
@@ -55,20 +55,21 @@ std::array<Point3, 3> cornersOf(const Environment& environment, std::uint32_t tr
 bool isBeside(const Environment& environment, std::uint32_t triangle, const PlanBox& box);
 /// No corner is above `low`, or none is below `high`.
 bool isOutOf(const std::array<Point3, 3>& corners, const Rational& low, const Rational& high);
-/// As a floor: turned up when the environment takes both sides; empty when it cannot be walked on.
+/// The corners of a triangle as a floor: turned up when the environment takes both sides; empty when it cannot be
+/// walked on.
 std::optional<std::array<Point3, 3>> upwardCorners(const Environment& environment, std::uint32_t triangle);
 
-/// Where two cells meet along a line on which an agent can cross (uncovered) or not (covered).
+/// A line on which two cells meet and an agent can cross (uncovered) or not (covered).
 struct Meeting {
   std::size_t first = 0, second = 0;  ///< cells, numbered through all regions
   std::vector<Segment2> free;         ///< not covered by a trace
-  double freeLength = 0;              ///< in space, rounded
+  double freeLength = 0;              ///< length in space, rounded
   double blockedLength = 0;
 };
 
 std::vector<Meeting> findMeetings(const WalkableArea& area);
 
-/// For each cell, numbered through all regions, the number of its connected part; parts are 0, 1, ...
+/// The number of each cell's connected part, with cells numbered through all regions; parts are 0, 1, ...
 std::vector<std::size_t> connectedParts(const WalkableArea& area, const std::vector<Meeting>& meetings);
 std::size_t countParts(const std::vector<std::size_t>& parts);
 

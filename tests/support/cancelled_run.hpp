@@ -11,12 +11,12 @@
 
 namespace footfall::test {
 
-/// What the step takes, in milliseconds of processor time, in a run on one thread.
+/// The processor time of the step, in milliseconds, in a run on one thread.
 double stepCpuMs(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline, std::size_t step);
 
-/// How long a run on one thread that is told so after `afterMs` milliseconds of processor time in the step goes on, in
-/// milliseconds of processor time. Nothing if the run was over each time before it heard of it: how soon another thread
-/// speaks is the machine's choice.
+/// The processor time in milliseconds for which a run on one thread goes on after it was cancelled, `afterMs`
+/// milliseconds of processor time into the step. Nothing if the run was over each time before it noticed: the machine
+/// decides how soon another thread runs.
 std::optional<double> cpuMsAfterCancelling(const std::shared_ptr<const Environment>& environment,
                                            const Pipeline& pipeline, std::size_t step, double afterMs);
 

@@ -15,10 +15,10 @@ std::string drops(double depth, double reach = 0.3);
 /// The product of the minimal pipeline and `filters`.
 NavigationMesh dropped(const Soup& soup, const std::string& filters, double clearance = 2);
 
-/// Of all drops, in the plan.
+/// The length of all drops, in the plan.
 double lengthOf(const NavigationMesh& mesh);
 
-/// Whether a way leads from one place to the other, over drops as well.
+/// True when a way leads from one place to the other, over drops as well.
 bool reaches(const NavigationMesh& mesh, const Vec3& from, const Vec3& to);
 
 /// A platform of 2 by 2 in the middle of a floor of 8 by 8, with upright sides.

@@ -14,7 +14,7 @@ namespace footfall::test {
 
 struct RankOptions {
   int ranks = 2;
-  int threads = 1;            ///< of each rank
+  int threads = 1;            ///< threads of each rank
   std::string workFolder;     ///< empty: none
   bool leavesShares = false;  ///< RankExchange::Options
   /// Called by a rank whenever one of its cells is done; may throw, which fails the rank.
@@ -29,20 +29,20 @@ struct RankOptions {
 };
 
 struct RankOutcome {
-  RunResult result;         ///< of rank 0; its mesh is null where something failed
-  std::string error;        ///< that rank 0 tells
-  std::vector<Text> notes;  ///< of all ranks
+  RunResult result;         ///< result of rank 0; its mesh is null after a failure
+  std::string error;        ///< error reported by rank 0
+  std::vector<Text> notes;  ///< notes of all ranks
   std::vector<detail::RankStatistics> ranks;
-  std::vector<bool> hasResult;  ///< for each rank
-  std::vector<bool> isCutOff;   ///< for each rank
+  std::vector<bool> hasResult;  ///< one flag per rank
+  std::vector<bool> isCutOff;   ///< one flag per rank
 };
 
 /// Runs the pipeline on all ranks as footfall-mpi does.
 RankOutcome runOnRanks(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                        const RankOptions& options);
 
-/// Calls `body` on ranks of one group, each in a thread of its own. `event` (may be empty) is called with what their
-/// runs tell, and may throw, which fails the rank. Returns for each rank what it failed by; empty where it did not.
+/// Calls `body` on ranks of one group, each in a thread of its own. `event` (may be empty) is called with the events of
+/// their runs, and may throw, which fails the rank. Returns the failure of each rank; empty if it did not fail.
 std::vector<std::string> runAsGroup(int ranks, const std::function<void(detail::RankGroup&, RunContext&)>& body,
                                     const std::function<void(int rank, const RunEvent&)>& event = {});
 

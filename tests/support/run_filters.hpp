@@ -11,8 +11,8 @@
 namespace footfall::test {
 using namespace detail;
 
-/// `filters` is a pipeline's text ("SlopeFilter 45\nVerticalClearanceFilter 2"). Not through the runner: the exact
-/// state is wanted.
+/// `filters` is a pipeline's text ("SlopeFilter 45\nVerticalClearanceFilter 2"). Does not use the runner, because tests
+/// need the exact state.
 StatePtr runFilters(std::shared_ptr<const Environment> environment, const std::string& filters);
 /// Continues from a state.
 StatePtr runFilters(StatePtr state, const std::string& filters);

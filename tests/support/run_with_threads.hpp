@@ -6,7 +6,7 @@
 
 namespace footfall::test {
 
-/// As many threads as asked for, however few processors there are.
+/// Runs with exactly this many threads, however few processors there are.
 void runWithThreads(int threads, const std::function<void()>& body);
 
 }  // namespace footfall::test

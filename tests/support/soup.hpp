@@ -12,7 +12,7 @@
 
 namespace footfall::test {
 
-/// A triangle soup that grows. Every triangle brings its own vertices unless said otherwise, as in real files.
+/// A triangle soup that grows. Every triangle has its own vertices unless stated otherwise, as in real files.
 class Soup {
  public:
   Soup& triangle(const Vec3& a, const Vec3& b, const Vec3& c);

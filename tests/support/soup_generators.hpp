@@ -16,7 +16,7 @@
 
 namespace footfall::test {
 
-/// How many cases a property tries: `usual`, times the environment variable FOOTFALL_TEST_ROUNDS (default 1).
+/// The number of cases of a property: `usual`, times the environment variable FOOTFALL_TEST_ROUNDS (default 1).
 inline int rounds(int usual) {
   const char* text = std::getenv("FOOTFALL_TEST_ROUNDS");
   const double factor = text != nullptr ? std::atof(text) : 1;
@@ -125,7 +125,7 @@ inline Soup walkOf(const std::vector<int>& steps) {
     const int dy = std::array{0, 1, 0, -1}[static_cast<std::size_t>(step % 4)];
     const int to = z + std::array{1, 1, 0, -1}[static_cast<std::size_t>(step / 4 % 4)];
     x += dx, y += dy;
-    const auto height = [&](int cx, int cy) {  // of a corner, 0 or 1 along either axis
+    const auto height = [&](int cx, int cy) {  // The height of a corner, 0 or 1 along either axis.
       const bool far = dx + dy > 0 ? (dx != 0 ? cx : cy) == 1 : (dx != 0 ? cx : cy) == 0;
       return Vec3{double(x + cx), double(y + cy), double(far ? to : z)};
     };
