@@ -62,7 +62,7 @@ class BlockBuilder {
     block_.run = std::make_shared<const RunFigures>(RunFigures{times, threads});
     return *this;
   }
-  /// In the same run as another block.
+  /// Puts the block into the same run as another block.
   BlockBuilder& ranWith(const CellBlock& other) {
     block_.run = other.run;
     return *this;

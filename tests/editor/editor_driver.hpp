@@ -61,7 +61,7 @@ inline QByteArray readFile(const QString& path) {
   return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
 }
 
-/// For what takes a moment, on machines that are busy with other things.
+/// The timeout for things that take a moment, on machines that are busy.
 constexpr int kWaitMs = 20000;
 
 /// Shown, with the focus: there may be no window manager to give it.
@@ -106,7 +106,7 @@ inline void answerFileDialog(const QString& path) {
   QTest::keyClick(name, Qt::Key_Return);
 }
 
-/// Where a place of the level is in the view; (-1, -1) when it is behind the eye.
+/// The position of a place of the level in the view; (-1, -1) when it is behind the eye.
 inline QPoint placeInView(EditorWindow& window, const Vec3& place) {
   const auto found = window.view().project(place);
   return found ? found->toPoint() : QPoint(-1, -1);

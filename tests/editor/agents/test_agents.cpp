@@ -81,7 +81,7 @@ class TestAgents : public QObject {
     QTest::keyClick(field, Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(document().state().agents[0].maxSlope, 45.0);
     QCOMPARE(slope(), 45.0);
-    // Without an active agent, a row is only a row.
+    // A row does not activate anything without an active agent.
     panel_->letGo();
     document().setValue(document().filters()[1].id, 0, 20, 9);
     QCOMPARE(document().state().agents[0].maxSlope, 45.0);
@@ -208,7 +208,7 @@ class TestAgents : public QObject {
       QTRY_VERIFY(panel_->results().figures(panel_->model().agentAt(row)).has_value());
       QVERIFY(panel_->results().ready(panel_->model().agentAt(row)));
     }
-    // Under the table (1 high) only the crawler fits; the ramp (60 degrees) is its limit, too.
+    // Only the crawler fits under the table (1 high); the ramp (60 degrees) is its limit, too.
     const auto human = *panel_->results().figures(panel_->model().agentAt(0));
     const auto crawler = *panel_->results().figures(panel_->model().agentAt(2));
     QCOMPARE(human.area, 64.0);  // floor without what is under the table, and the table
@@ -244,7 +244,7 @@ class TestAgents : public QObject {
       QElapsedTimer clock;
       clock.start();
       panel_->activate(i % 2);
-      QVERIFY(window_->controller().upToDate());  // at once
+      QVERIFY(window_->controller().upToDate());  // true at once
       const double shown = static_cast<double>(clock.nsecsElapsed()) / 1e6;
       QTRY_VERIFY(drawn);
       disconnect(frame);

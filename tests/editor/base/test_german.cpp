@@ -1,4 +1,4 @@
-// What the core says, in German: notes of filters, messages about files, values and pipelines.
+// The core's messages in German: notes of filters, messages about files, values and pipelines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/counted_text.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"

@@ -27,7 +27,7 @@ QColor inkOf(const QImage& image) {
   return ink;
 }
 
-/// How much of the picture is covered, from 0 to 1.
+/// The share of the picture that is covered, from 0 to 1.
 double coverOf(const QImage& image) {
   double sum = 0;
   for (int y = 0; y < image.height(); ++y) {

@@ -1,4 +1,4 @@
-// The log: what comes into it, and what can be done with it; problems that are told and not died of; progress.
+// The log: entries and commands; problems are reported and survived; progress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSignalSpy>
 #include <new>

@@ -233,7 +233,7 @@ class TestNumberField : public QObject {
   }
 
  private:
-  // From the point (5, 5), in small steps as a hand does.
+  // Moves from the point (5, 5), in small steps as a hand does.
   void move(QWidget* widget, int to, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     const int steps = std::max(1, std::abs(to - at_) / 10);
     for (int i = 1; i <= steps; ++i) {

@@ -144,7 +144,7 @@ class TestTheme : public QObject {
     QCOMPARE(darkFromPortal(QVariant::fromValue(QDBusVariant(inner))), std::optional(true));
   }
 
-  // On a bus of its own (initTestCase of main): whatever desktop the test runs on must not matter.
+  // This runs on a bus of its own (initTestCase of main): the desktop of the machine must not matter.
   void followsTheDesktop() {
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected()) QSKIP("no D-Bus here: dbus-daemon is not installed");

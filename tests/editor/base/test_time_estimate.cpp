@@ -1,4 +1,4 @@
-// What is said of the time left: never "1 s left" for a minute.
+// The text about the time left: never "1 s left" for a minute.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <cmath>
@@ -19,12 +19,12 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 class TestTimeEstimate : public QObject {
   Q_OBJECT
  private slots:
-  // 16,000 floors one above another: the clearance took 0.2 s, the layers take a minute and tell nothing of it.
+  // 16,000 floors one above another: the clearance took 0.2 s, the layers take a minute and report no progress.
   void aStepThatTellsNothingHasNoEnd() {
     const auto left = [](double elapsed, std::optional<double> expected, double fraction) {
       return remainingMs({{200, 200, 1, true}, {expected, elapsed, fraction, false}, {50, 0, 0, false}});
     };
-    QCOMPARE(*left(100, std::nullopt, 0), 50 + 125.0);  // as long as the others on average
+    QCOMPARE(*left(100, std::nullopt, 0), 50 + 125.0);  // average time of the others
     QCOMPARE(*left(100, 300, 0), 250.0);
     QVERIFY(std::isinf(*left(5000, std::nullopt, 0)));
     QVERIFY(std::isinf(*left(5000, 300, 0.01)));
@@ -44,13 +44,13 @@ class TestTimeEstimate : public QObject {
   }
 
   void whatIsLateIsSaidToBe() {
-    // Nothing is told any more.
+    // Nothing is reported any more.
     EndEstimate silent;
     silent.begin(0);
     silent.update(2, 0.9, 1);
     QCOMPARE(silent.at(3).kind, Kind::Left);
     QCOMPARE(silent.at(6).kind, Kind::Late);
-    // The same second is told again and again.
+    // The same second is reported again and again.
     EndEstimate frozen;
     frozen.begin(0);
     int left = 0, late = 0;
@@ -82,7 +82,7 @@ class TestTimeEstimate : public QObject {
     QCOMPARE(end.at(16).kind, Kind::Unknown);
     end.update(17, 0.5, kInfinite);
     QCOMPARE(end.at(17).kind, Kind::Unknown);
-    // After a promise, no end is a late one.
+    // No end after a promise is a late one.
     end.update(18, 0.6, 4);
     QCOMPARE(end.at(18).kind, Kind::Left);
     end.update(19, 0.6, kInfinite);

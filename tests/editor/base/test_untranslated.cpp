@@ -1,4 +1,4 @@
-// Everything that the German editor shows is German, as far as the translators have been asked for it.
+// Everything that the German editor shows is German, if it went through the translators.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QComboBox>
@@ -29,7 +29,7 @@ using namespace footfall::test;
 
 namespace {
 
-/// Remembers what no other translator knew, by source text: it is asked last.
+/// Remembers texts that no other translator has, by source text: it comes last.
 class Unknown : public QTranslator {
  public:
   [[nodiscard]] QString translate(const char* context, const char* source, const char*, int) const override {
@@ -48,7 +48,7 @@ class Unknown : public QTranslator {
   mutable QMap<QString, QSet<QString>> contexts_;
 };
 
-/// What is left of a text that is to be compared: letters and blanks.
+/// The comparable part of a text: letters and blanks.
 QString words(QString text) {
   static const QRegularExpression tags("<[^>]*>"), places("%n|%L?[1-9]"), others("[^\\p{L}]+");
   return text.replace(tags, " ").replace(places, " ").remove('&').replace(others, " ").trimmed();
@@ -154,7 +154,7 @@ class TestUntranslated : public QObject {
     QVERIFY(english.size() > 400);
     const auto sources = translatedSources();
     QVERIFY(sources.size() > 500);
-    // What was asked for without an answer: new where no context has it, else asked for in a wrong one.
+    // Requested texts without a translation: new if no context has them, else requested in a wrong one.
     QSet<QString> fresh;
     for (const QString& source : unknown_.contexts().keys()) {
       if (!sources.contains(source)) fresh << words(source);
@@ -162,7 +162,7 @@ class TestUntranslated : public QObject {
     QStringList wrong, waiting;
     for (auto it = german.begin(); it != german.end(); ++it) {
       if (!english.contains(it.key()) || isNoWord(it.key())) continue;
-      // New texts come to the translators last; the test "translations" tells of them.
+      // New texts come to the translators last; the test "translations" reports them.
       (fresh.contains(it.key()) ? waiting : wrong) << it.value();
     }
     if (!waiting.isEmpty())

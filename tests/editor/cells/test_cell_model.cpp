@@ -15,8 +15,8 @@ using namespace footfall::test;
 
 namespace {
 
-/// How far apart two colours are for someone with the given deficiency, by Viénot, Brettel and Mollon (1999): what is
-/// left of red and green is one channel.
+/// The distance of two colours for someone with the given deficiency, by Viénot, Brettel and Mollon (1999): the
+/// remainder of red and green is one channel.
 double distanceFor(bool protan, const QColor& a, const QColor& b) {
   const auto seen = [protan](const QColor& c) {
     const auto linear = [](double v) { return std::pow(v, 2.2); };
@@ -60,9 +60,9 @@ class TestCellModel : public QObject {
     QVERIFY((timeline.at(0, 30)->cell == CellId{0, 0}));
     QVERIFY((timeline.at(0, 55)->cell == CellId{0, 3}));  // it helps
     QVERIFY((timeline.at(1, 45)->cell == CellId{0, 3}));
-    QVERIFY(!timeline.at(0, 50));  // between its cell and its help
+    QVERIFY(!timeline.at(0, 50));  // The place is between its cell and its help.
     QVERIFY(!timeline.at(1, 55));  // idle at the end
-    QVERIFY(!timeline.at(0, 5));   // before anything
+    QVERIFY(!timeline.at(0, 5));   // The place is before anything.
     QVERIFY(!timeline.at(2, 30));  // no such thread
     QVERIFY(!timeline.at(-1, 30));
   }
@@ -142,7 +142,7 @@ class TestCellModel : public QObject {
     QVERIFY(!running.colourOf(0) && !running.colourOf(2));
     QCOMPARE(*running.colourOf(1), threadColour(2));
     QVERIFY(!running.allKnown());
-    // Before any of them has, there is nothing but the estimate.
+    // Only the estimate exists before any of them has run.
     const CellScale made(BlockBuilder(3).block(), CellColouring::Time);
     QVERIFY(made.shown() == CellColouring::Cost);
     QCOMPARE(*made.colourOf(2), scaleColour(1));

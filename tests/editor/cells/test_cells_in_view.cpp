@@ -172,7 +172,7 @@ class TestCellsInView : public QObject {
     QCOMPARE(block.report.cells.size(), std::size_t{4});
     QVERIFY(block.complete());
     QVERIFY(std::ranges::all_of(block.finished, [](char done) { return done != 0; }));
-    // Not in the view before somebody asks.
+    // The view has no cells before they are requested.
     QVERIFY(!window_->view().parts().cells);
     QTest::keyClick(window_.get(), Qt::Key_C);
     QVERIFY(window_->view().parts().cells);
@@ -245,12 +245,12 @@ class TestCellsInView : public QObject {
   void aBlockFromTheCacheKeepsItsFigures() {
     QVERIFY(openGrid());
     const auto run = window_->cells().blocks()[0].run;
-    window_->document().setValue(window_->document().filters().back().id, 0, 1, 1);  // behind Collapse
+    window_->document().setValue(window_->document().filters().back().id, 0, 1, 1);  // The filter is behind Collapse.
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().finishedRun()->result.blocks.empty());
     QCOMPARE(window_->cells().blocks().size(), std::size_t{1});
     QCOMPARE(window_->cells().blocks()[0].run, run);
-    // Without the block, without cells; and back.
+    // The block goes, the cells go, and both come back.
     const auto id = [this](std::size_t row) { return window_->document().filters()[row].id; };
     window_->document().setEnabled(id(0), false);
     window_->document().setEnabled(id(3), false);
@@ -308,7 +308,7 @@ class TestCellsInView : public QObject {
     QTest::mouseClick(window_->filterList().rows()[0]->previewButton(), Qt::LeftButton);
     QTRY_VERIFY(window_->cells().previewing());
     QCOMPARE(window_->cells().shownBlock()->report.cells.size(), std::size_t{4});
-    QVERIFY(window_->view().parts().cells);  // somebody wants to see them
+    QVERIFY(window_->view().parts().cells);  // Cells were requested.
     QCOMPARE(window_->controller().finishedRun(), run);
     QVERIFY(!window_->filterList().rows()[1]->previewButton());
   }
@@ -335,7 +335,7 @@ class TestCellsInView : public QObject {
           ++begun;
           Partition partition;
           partition.cells.resize(static_cast<std::size_t>(block.steps[0].values[0]));
-          while (block.steps[0].values[0] < 3) {  // until somebody cancels
+          while (block.steps[0].values[0] < 3) {  // Runs until it is cancelled.
             QThread::msleep(1);
             if (context.cancelled()) ++cancelled;
             context.checkCancelled();

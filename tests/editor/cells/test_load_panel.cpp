@@ -86,7 +86,7 @@ class TestLoadPanel : public QObject {
     QVERIFY((plot.barAt(place)->cell == CellId{0, 0}));
     QTest::mouseMove(&plot, place.toPoint());
     QTRY_VERIFY((model_->hovered() == CellId{0, 0}));
-    // Between the lanes there is nothing.
+    // The space between the lanes is empty.
     QVERIFY(!plot.barAt({place.x(), plot.yAxis->coordToPixel(0.5)}));
     // Idle.
     QVERIFY(!plot.barAt({plot.xAxis->coordToPixel(55), plot.yAxis->coordToPixel(1)}));
@@ -200,7 +200,7 @@ class TestLoadPanel : public QObject {
     QCOMPARE(model_->shownIndex(), std::size_t{1});
     // One timeline for both, as they ran in one run.
     QCOMPARE(panel_->timeline().timeline().end, 80.0);
-    // A bar of the other block brings it back.
+    // A bar of the other block selects it again.
     TimelinePlot& plot = shownTimeline();
     QTest::mouseClick(&plot, Qt::LeftButton, Qt::NoModifier, plot.placeOf(*plot.timeline().at(0, 30)).toPoint());
     QCOMPARE(model_->shownIndex(), std::size_t{0});

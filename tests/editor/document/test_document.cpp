@@ -1,4 +1,4 @@
-// What is edited, without a window: undo, sessions, numbers, the background queue.
+// The editor's data without a window: undo, sessions, numbers, the background queue.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <atomic>
@@ -118,7 +118,8 @@ class TestDocument : public QObject {
     const int climber = addAgent(document, {0, "Climber", 2, 45, 0.4, 0.05});
     const std::string with =
         "SlopeFilter 45\nVerticalClearanceFilter 2\nDegeneracyFilter\nStepFilter 0.4\nAreaFilter 1\n";
-    QCOMPARE(text(), with);  // behind what would lose the links, in front of what counts them
+    QCOMPARE(text(), with);  // The place is behind filters that would lose the links, in front of those that count
+                             // them.
     const int roller = addAgent(document, {0, "Roller", 2, 45, 0});
     QCOMPARE(text(), before);
     QCOMPARE(formatPipeline(pipelineFor(document.state(), climber)), with);
@@ -148,7 +149,7 @@ class TestDocument : public QObject {
     QCOMPARE(ids.size(), document.filters().size());
   }
 
-  // A list that is wrong elsewhere, or has no clearance, has no place for steps: that is told, and nothing else
+  // A list that is wrong elsewhere, or has no clearance, has no place for steps: this is reported, and nothing else
   // changes.
   void whyAFilterHasNoPlace() {
     Document document;
@@ -265,13 +266,13 @@ class TestDocument : public QObject {
 
   void timesLeftFollowWhatIsKnown() {
     QVERIFY(!remainingMs({{std::nullopt, 0, 0, false}}).has_value());
-    // As before: 100 of 300 are gone.
+    // The same as before: 100 of 300 are gone.
     QCOMPARE(*remainingMs({{100, 100, 1, true}, {200, 0, 0, false}}), 200.0);
-    // By its own pace: a quarter took 50.
+    // The estimate follows its own pace: a quarter took 50.
     QCOMPARE(*remainingMs({{std::nullopt, 50, 0.25, false}}), 150.0);
     // Slower than before: at half of it, half of each.
     QCOMPARE(*remainingMs({{100, 100, 0.5, false}}), 50.0);
-    // What never ran is as long as the others on average.
+    // A step that never ran takes as long as the others on average.
     QCOMPARE(*remainingMs({{100, 100, 1, true}, {std::nullopt, 0, 0, false}}), 100.0);
     QCOMPARE(expectedMs({{100, 0, 0, false}, {std::nullopt, 0, 0, false}}), 100.0);
   }

@@ -162,7 +162,7 @@ class TestFilterList : public QObject {
     QCOMPARE(enabled(), (QList<bool>{true, false, false, true}));
     key(Qt::Key_Space);
     QCOMPARE(enabled(), (QList<bool>{true, true, true, true}));
-    // On a button, Space is the button's.
+    // Space on a button belongs to the button.
     row(0)->removeButton()->setFocus();
     QTest::keyClick(row(0)->removeButton(), Qt::Key_Space);
     QTRY_COMPARE(names().size(), 3);
@@ -346,7 +346,7 @@ class TestFilterList : public QObject {
     const QString path = writeFile(*folder_, "mine.pipeline", "SlopeFilter 33\nAreaFilter 2\n");
     QMimeData data;
     data.setUrls({QUrl::fromLocalFile(path)});
-    // As a window system would: to the window, at a place over the list.
+    // The event goes to the window, at a place over the list, as from a window system.
     const QPoint at = row(2)->mapTo(window_.get(), QPoint(20, 10));
     QDragEnterEvent enter(at, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(window_->windowHandle(), &enter);

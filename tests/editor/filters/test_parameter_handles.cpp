@@ -1,4 +1,4 @@
-// What the values of a filter mean, drawn in the view, and handles that change them.
+// The meaning of a filter's values, drawn in the view, and handles that change them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QEnterEvent>
 #include <cmath>
@@ -68,7 +68,7 @@ class TestParameterHandles : public QObject {
     QCOMPARE(handles_->measures().size(), std::size_t{2});
     const ParameterMeasure step = handles_->measures()[0], gap = handles_->measures()[1];
     QCOMPARE(step.at.x, 4.0);
-    QCOMPARE(step.at.z, 0.0);  // from the lower floor up
+    QCOMPARE(step.at.z, 0.0);  // starts at the lower floor
     QVERIFY2(step.text.contains("0.4") && step.text.contains("here 0.3"), qPrintable(step.text));
     QVERIFY(std::abs(std::abs(gap.at.x + 4.05) - 0.05) < 1e-9 && std::abs(std::abs(gap.along.x) - 1) < 1e-9);
     QVERIFY2(gap.text.contains("0.2") && gap.text.contains("here 0.1"), qPrintable(gap.text));
@@ -155,7 +155,7 @@ class TestParameterHandles : public QObject {
     clickInView(*window_, {2, -2, 0});
     const Vec3 at = handles_->measures()[0].at;
     QVERIFY2(std::hypot(at.x - 2, at.y + 2) < 0.1, qPrintable(QString("%1 %2").arg(at.x).arg(at.y)));
-    // Where that is not in view any more, it comes back to the middle.
+    // The handle returns to the middle when its place is no longer in view.
     window_->view().cameraController().lookAt({-7, 3, 0});
     window_->view().cameraController().zoomBy(6);
     QTRY_VERIFY(window_->view().rect().contains(placeInView(*window_, handles_->measures()[0].at)));
@@ -195,7 +195,7 @@ class TestParameterHandles : public QObject {
     const ParameterMeasure measure = handles_->measures()[0];
     press(measure.handle());
     move(measure.at + 0.7 * measure.along);
-    QCOMPARE(changes, std::size_t{1});  // in the movement itself
+    QCOMPARE(changes, std::size_t{1});  // changes during the movement
     release(measure.at + 0.7 * measure.along);
   }
 

@@ -51,7 +51,7 @@ class TestParameterNotes : public QObject {
     QTRY_COMPARE(window.messageBar().text(), QString());
     window.document().undoStack()->undo();
     QTRY_COMPARE(window.messageBar().text(), expected);
-    window.document().setValue(window.document().filters()[0].id, 0, 40, 2);  // told, and not again
+    window.document().setValue(window.document().filters()[0].id, 0, 40, 2);  // reported once
     QVERIFY(waitUntilIdle(window));
     QTest::qWait(100);
     QCOMPARE(window.messageBar().text(), QString());

@@ -50,7 +50,7 @@ class TestSeeds : public QObject {
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 64.0);
     QCOMPARE(seeds().size(), 1U);
-    // What it took away says why.
+    // The removed part states its reason.
     const auto* legend = window_->view().findChild<Legend*>();
     QVERIFY(legend);
     QTRY_VERIFY2(legendTexts(*legend).contains("Cannot be reached"), qPrintable(legendTexts(*legend).join("; ")));
@@ -104,7 +104,7 @@ class TestSeeds : public QObject {
     QCOMPARE(seeds().size(), 1U);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 8.0);
-    clickInView(*window_, {0, 0, 0}, Qt::ControlModifier);  // beside all of them
+    clickInView(*window_, {0, 0, 0}, Qt::ControlModifier);  // The click is beside all of them.
     QCOMPARE(seeds().size(), 1U);
     clickInView(*window_, {0, 0, 0});
     QTest::keyClick(&window_->view(), Qt::Key_Backspace);
@@ -141,7 +141,7 @@ class TestSeeds : public QObject {
     QVERIFY2(window_->document().undoStack()->undoText().startsWith("Change y "),
              qPrintable(window_->document().undoStack()->undoText()));
     x->selectAll();
-    QTest::keyClicks(x, "5");  // between floor and island
+    QTest::keyClicks(x, "5");  // The place is between floor and island.
     QTRY_VERIFY2(row()->errorText().contains("seed 1 at 5 -1.5 "), qPrintable(row()->errorText()));
     QTest::mouseClick(row()->removeGroupButton(0), Qt::LeftButton);
     QTRY_COMPARE(row()->fieldCount(), 0U);
@@ -169,7 +169,7 @@ class TestSeeds : public QObject {
     startTool();
     clickInView(*window_, {-2, -2, 0});
     clickInView(*window_, {7, 0, 0});
-    window_->document().addFilter(filterDescriptor(FilterType::Reachable), 1);  // without any, and off
+    window_->document().addFilter(filterDescriptor(FilterType::Reachable), 1);  // The filter has no seeds, and is off.
     window_->document().setEnabled(window_->document().filters().back().id, false);
     const Pipeline pipeline = window_->document().pipeline();
     Session session;

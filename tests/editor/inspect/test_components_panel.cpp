@@ -66,7 +66,7 @@ class TestComponentsPanel : public QObject {
   void largestFirst() {
     const QTemporaryDir folder;
     QVERIFY(openZUp(*window_, writeFile(folder, "squares.obj", squaresObj(4)), kPipeline));
-    QVERIFY(feature_->watch().inspector() == nullptr);  // nobody wanted to know
+    QVERIFY(feature_->watch().inspector() == nullptr);  // No result was requested.
     open();
     QTRY_COMPARE(table()->model()->rowCount(), 4);
     QCOMPARE(text(0, ComponentsModel::Rank), QStringLiteral("1"));
@@ -97,7 +97,7 @@ class TestComponentsPanel : public QObject {
     const auto corner = window_->view().project({1, 1, 0}), other = window_->view().project({0, 0, 0});
     QVERIFY(corner && other && (*corner - *other).manhattanLength() > 0.3 * window_->view().height());
     QTRY_VERIFY(shows(selectedCellColour()));
-    // By keyboard: up, and Return.
+    // Selects by keyboard: up, and Return.
     QTest::keyClick(table(), Qt::Key_Up);
     QCOMPARE(table()->currentIndex().row(), 3);
     const Vec3 small = pose();

@@ -14,7 +14,7 @@ using namespace footfall::test;
 
 namespace {
 
-/// Of the table: its top is 1 above the floor, and what lies beneath is too low for 2.
+/// Pipeline of the table: its top is 1 above the floor, and the space beneath is too low for 2.
 constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
 
 }  // namespace

@@ -88,7 +88,7 @@ class TestWhy : public QObject {
     QTRY_VERIFY(dock()->isVisible());
     QVERIFY(panel().findChild<QLabel*>(QStringLiteral("whyEmpty"))->isVisible());
     QVERIFY(window_->view().tool() != nullptr);
-    // Nothing is loaded: a click is told so, and no more.
+    // A click without a level gets a message, and no more.
     QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, window_->view().rect().center());
     QVERIFY(!feature_->watch().busy());
     QTest::keyClick(&window_->view(), Qt::Key_Escape);
@@ -105,12 +105,12 @@ class TestWhy : public QObject {
     const auto borders = [this] { return panel().findChild<QLabel*>(QStringLiteral("whyBorders"))->text(); };
     clickAt({-3, 0, 0});
     QVERIFY(answered());
-    // As it is before the radius narrows it; a pixel is some 0.01.
+    // The border as it is before the radius narrows it; a pixel is some 0.01.
     const PlaceExplanation told = *feature_->watch().explanation();
     QVERIFY(told.wallDistance && std::abs(*told.wallDistance - 1) < 0.03);
     QVERIFY(told.ledgeDistance && std::abs(*told.ledgeDistance - 4) < 0.03);
     QVERIFY2(borders().contains("a wall at ") && borders().contains(", a ledge at "), qPrintable(borders()));
-    // In the margin as well.
+    // The margin works the same.
     clickAt({3.75, 0, 0});
     QVERIFY(answered());
     QCOMPARE(panel().headline(), QStringLiteral("Not walkable: too near a ledge"));
@@ -149,7 +149,7 @@ class TestWhy : public QObject {
     QTest::mouseClick(panel().placeButton(), Qt::LeftButton);
     QVERIFY(QRectF(window_->view().rect()).contains(*window_->view().project({0, 0.1, 0})));
 
-    // To the filter, by keyboard; the answer follows the edit.
+    // Goes to the filter by keyboard; the answer follows the edit.
     panel().filterButton()->setFocus();
     QTest::keyClick(panel().filterButton(), Qt::Key_Space);
     auto* field = qobject_cast<NumberField*>(window_->focusWidget());
@@ -191,17 +191,17 @@ class TestWhy : public QObject {
     QCOMPARE(headlineAt({2, 2.5, 0}), QStringLiteral("Walkable"));
     QVERIFY(!panel().obstacleButton()->isEnabled());
     window_->view().cameraController().viewOblique();
-    // The wall is seen from behind: left out, or asked about, as it is drawn.
+    // The wall faces away: it is skipped or picked, as it is drawn.
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Walkable"));
     window_->commands().find("view.inside")->trigger();
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Not walkable: a wall"));
-    // Return asks at the place of the mouse.
+    // Return picks the place of the mouse.
     const QPoint place = window_->view().project({2, 2.5, 0})->toPoint();
     QTest::mouseMove(&window_->view(), place);
     QTest::mouseMove(&window_->view(), place + QPoint(1, 0));
     QTest::keyClick(&window_->view(), Qt::Key_Return);
     QTRY_COMPARE(panel().headline(), QStringLiteral("Walkable"));
-    // Beside everything: told in the status bar, and the last answer stays.
+    // A click beside everything shows a message in the status bar, and the last answer stays.
     QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, QPoint(5, 5));
     QCOMPARE(panel().headline(), QStringLiteral("Walkable"));
   }
@@ -226,7 +226,7 @@ class TestWhy : public QObject {
     QTest::addColumn<QString>("sample");
     for (const char* name : {"house", "villa", "rooms"}) QTest::newRow(name) << name;
   }
-  // What is said agrees with what is drawn: a walkable place is covered by the result, and a rejected one is not.
+  // The answer agrees with the picture: a walkable place is covered by the result, and a rejected one is not.
   void samples() {
     QFETCH(QString, sample);
     window_->open(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(sample));

@@ -67,7 +67,7 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(rows.rowCount(table), 2);
     QCOMPARE(rows.index(0, 0, table).data().toString(), QString("wood"));
     QCOMPARE(rows.index(1, 2, table).data().toString(), QString("as usual"));
-    QCOMPARE(area(), 64.0);  // what the table takes from the ground, it has itself
+    QCOMPARE(area(), 64.0);  // The table has the area that it removes from the ground.
   }
 
   void aBoxLeavesOutAndTakesIn() {
@@ -92,7 +92,7 @@ class TestEnvironmentPanel : public QObject {
     QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 56.0);  // it still blocks
     QCOMPARE(row("table").siblingAtColumn(2).data().toString(), QString("obstacle only"));
-    // What a box takes in again is what it was.
+    // A box that is ticked again restores the earlier state.
     QTest::keyClick(&tree(), Qt::Key_Space);
     QCOMPARE(area(), 64.0);
     QTest::keyClick(&tree(), Qt::Key_Space);
@@ -120,7 +120,7 @@ class TestEnvironmentPanel : public QObject {
     QVERIFY(window_->document().state().partRules.empty());
     auto* layers = window_->findChild<QTreeWidget*>(QStringLiteral("layerList"));
     QCOMPARE(layers->topLevelItem(0)->text(1), QString("0 · Ground"));
-    // What differs is the user's, and what is usual again is nobody's.
+    // Roles that differ are the user's, and usual ones are not stored.
     select("IfcDoor · Ground: Door");
     QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier | Qt::ShiftModifier);
     QVERIFY(area() < 16e6);
@@ -178,7 +178,7 @@ class TestEnvironmentPanel : public QObject {
     const CameraPose pose = window_->view().cameraController().pose();
     const QRect place = tree().visualRect(row("table"));
     window_->view().cameraController().setCovered(
-        {});  // beside what lies over the view it is not in the middle: test_view_overlays
+        {});  // A place beside overlays is not in the middle: test_view_overlays.
     QTest::mouseDClick(tree().viewport(), Qt::LeftButton, Qt::NoModifier, place.center());
     const CameraPose framed = window_->view().cameraController().pose();
     QVERIFY(!(framed.position == pose.position));
@@ -245,7 +245,7 @@ class TestEnvironmentPanel : public QObject {
   EnvironmentTools& tools() { return *window_->findChild<EnvironmentTools*>(); }
   QTreeView& tree() { return *tools().panel().tree(); }
 
-  /// Of the finished run, once everything has been worked in.
+  /// The area of the finished run, once all parts are in.
   double area() {
     if (!waitUntilIdle(*window_) || !window_->controller().upToDate()) return -1;
     return window_->controller().finishedRun()->result.summary.area;

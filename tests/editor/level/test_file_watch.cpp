@@ -163,7 +163,7 @@ class TestFileWatch : public QObject {
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(folder_->filePath("level.footfall"));
     QVERIFY(written.wait());
-    window_->exportResult(folder_->filePath("level-walkable.obj"));  // beside the file
+    window_->exportResult(folder_->filePath("level-walkable.obj"));  // The export is beside the file.
     QVERIFY(written.wait());
     QTest::qWait(600);
     QCOMPARE(done_->count(), 0);
@@ -216,7 +216,7 @@ class TestFileWatch : public QObject {
 
  private:
   EnvironmentTools& tools() { return *window_->findChild<EnvironmentTools*>(); }
-  /// Where a place is seen, in the window.
+  /// The position of a place on the screen, in the window.
   QPoint placeOnScreen(const Vec3& place) {
     const auto at = window_->view().project(place);
     return at ? window_->view().mapTo(window_.get(), at->toPoint()) : QPoint();
@@ -225,7 +225,7 @@ class TestFileWatch : public QObject {
     if (!waitUntilIdle(*window_) || !window_->controller().upToDate()) return -1;
     return window_->controller().finishedRun()->result.summary.area;
   }
-  /// Without the board's own top.
+  /// The area of the floor without the board's own top.
   double freeFloor() {
     const double all = area();
     const auto& level = *window_->level();

@@ -43,7 +43,7 @@ PlacedObstacle box(std::uint32_t id, const Vec3& base, const Vec3& size = {1, 1,
   return {id, PlacedObstacle::Shape::Box, "Box " + std::to_string(id), base, size, turn};
 }
 
-/// The level as one who knows nothing of edits would put it together.
+/// Composes the level from nothing, without edits.
 std::shared_ptr<const Environment> fromNothing(const Environment& loaded,
                                                const std::vector<PlacedObstacle>& obstacles) {
   auto level = std::make_shared<Environment>(loaded);
@@ -160,7 +160,7 @@ class TestLevelComposer : public QObject {
     QCOMPARE(composer.trianglesOf(1).count, 0U);
   }
 
-  // To the last byte, over random edits, undo and redo, and runs that come or do not come to an end.
+  // The bytes are equal over random edits, undo and redo, and runs that end or do not.
   void sameAsFromNothing() {
     std::mt19937 random(5);
     const auto below = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };

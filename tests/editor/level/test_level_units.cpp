@@ -44,7 +44,7 @@ class TestLevelUnits : public QObject {
   }
 
   void placesAreTheFiles() {
-    // What lies at (1, 2, 3) in the file.
+    // the place (1, 2, 3) in the file
     const Vec3 inYUp{1, -3, 2};
     QCOMPARE(units(UpAxis::Y, 1).place(inYUp), QString("x 1, y 2, z 3 m"));
     QCOMPARE(units(UpAxis::Z, 1).place({1, 2, 3}), QString("x 1, y 2, z 3 m"));
@@ -78,7 +78,7 @@ class TestLevelUnits : public QObject {
         QCOMPARE(level.stored(45, Unit::Degrees), 45.0);
       }
     }
-    // As defaults are converted.
+    // The conversion is that of defaults.
     const PipelineStep clearance = defaultStep(filterDescriptor(FilterType::VerticalClearance), 0.0254);
     QCOMPARE(units(UpAxis::Z, 0.0254).stored(2), clearance.values[0]);
   }

@@ -165,7 +165,7 @@ class TestObstacleTools : public QObject {
     QVERIFY(std::abs(after.turn - 90) < 3);
     QCOMPARE(obstacle(), start);
     QCOMPARE(window_->document().undoStack()->redoText(), QStringLiteral("Turn Box 1"));
-    // With Shift in steps of 15 degrees.
+    // Shift turns in steps of 15 degrees.
     drag(at(grip), at({-3 + x * 0.8 - y * 0.6, x * 0.6 + y * 0.8, 0}), Qt::ShiftModifier);
     QCOMPARE(std::fmod(obstacle().turn, 15.0), 0.0);
     QVERIFY(obstacle().turn != 0);
@@ -285,7 +285,7 @@ class TestObstacleTools : public QObject {
     QCOMPARE(obstacle().size.z, 2.25);
     QCOMPARE(obstacle().turn, 30.0);
     QTRY_COMPARE(window_->document().undoStack()->count(), 5);  // one for each field
-    // What is no extent is explained, and the last one stays.
+    // A size that is no extent is explained, and the last one stays.
     type(3, "-1");
     QVERIFY(!panel.field(3)->problem().isEmpty());
     QVERIFY(panel.findChild<QLabel*>(QStringLiteral("rowError"))->isVisible());
@@ -347,7 +347,7 @@ class TestObstacleTools : public QObject {
   LevelView& view() { return window_->view(); }
   QAction* command(const char* id) { return window_->commands().find(QLatin1String(id)); }
   const PlacedObstacle& obstacle() { return *features_->editor().find(features_->editor().obstacles().front().id); }
-  /// By the editor; the tool for moving is on then.
+  /// Places by the editor; the tool for moving is on then.
   void place(const Wanted& wanted) {
     PlacedObstacle obstacle;
     obstacle.shape = wanted.shape;
@@ -389,7 +389,7 @@ class TestObstacleTools : public QObject {
     window_->exportResult(path);
     if (!written.wait()) qWarning("not written");
     QByteArray text = readFile(path);
-    return text.mid(text.indexOf("\nv "));  // without the comments
+    return text.mid(text.indexOf("\nv "));  // The text without the comments.
   }
 
   QTemporaryDir folder_;

@@ -107,7 +107,7 @@ class TestPackedView : public QObject {
 
   void blocksComeAndGoWithTheCamera() {
     openLarge();
-    // From above the corner that is the farthest from the part.
+    // Looks from above the corner that is the farthest from the part.
     const std::size_t corner = farthestBlock();
     const Box box = packed_->boxOf(corner);
     window_->view().cameraController().frame(pointOf(box.lower), pointOf(box.upper));
@@ -124,7 +124,7 @@ class TestPackedView : public QObject {
              qPrintable(window_->packed().statusText()));
     QVERIFY(window_->packed().statusText().endsWith(" of 0.201 million triangles"));
     shoot(*window_, "packed-corner");
-    // From far away nothing is worth it.
+    // No block is worth loading from far away.
     for (int i = 0; i < 12; ++i) window_->view().cameraController().zoomBy(0.5);
     QVERIFY(QTest::qWaitFor([&] { return window_->packed().loadedBlocks().empty(); }, kWaitMs));
     QVERIFY(window_->view().backdrop()->loaded.empty());
@@ -238,7 +238,7 @@ class TestPackedView : public QObject {
     QByteArray bytes = readFile(city_);
     PackedHeader header;
     std::memcpy(&header, bytes.constData(), sizeof header);
-    bytes.chop(sizeof(PackedCoarse));  // which is last
+    bytes.chop(sizeof(PackedCoarse));  // The coarse section is last.
     header.version = 1;
     header.fileSize = static_cast<std::uint64_t>(bytes.size());
     const std::string_view all(bytes.constData(), header.fileSize);
@@ -340,7 +340,7 @@ class TestPackedView : public QObject {
     QVERIFY(part->coarse == before->coarse);
     QCOMPARE(part->firstCoarse, before->firstCoarse);
     QVERIFY(part->isCoarseInPart != before->isCoarseInPart);
-    // Which of it is in the part is what it is without any part before.
+    // The triangles of the part do not depend on an earlier part.
     RunContext context;
     const OpenedPart fresh = openPart(part->environment, kTiny, part->place, std::nullopt, context);
     QVERIFY(fresh.part.coarse != part->coarse && fresh.part.place == part->place);
@@ -348,7 +348,7 @@ class TestPackedView : public QObject {
     QCOMPARE(fresh.part.isCoarseInPart, part->isCoarseInPart);
   }
 
-  // As large as it may be, in steps of a seventh.
+  // The part is as large as allowed, in steps of a seventh.
   void thePartIsAsLargeAsItMayBe() {
     const PartPlace asked{middle().x, middle().y, 1e6};
     const auto facesAt = [&](const PartPlace& place) {
@@ -396,7 +396,7 @@ class TestPackedView : public QObject {
 
   void whatIsLargeOnTheScreenComesFirst() {
     SceneCamera camera;
-    camera.viewport = {1000, 1000};  // from -1 to 1 along x and y
+    camera.viewport = {1000, 1000};  // The view spans -1 to 1 along x and y.
     const auto block = [](std::size_t number, double x, double size) {
       return BlockInView{number, 100, {{x, 0, 0}, {x + size, size, 0.1}}};
     };
@@ -407,7 +407,7 @@ class TestPackedView : public QObject {
     QCOMPARE(chooseBlocks(blocks, camera, 1000, {}), (Blocks{1, 2, 3}));
     QCOMPARE(chooseBlocks(blocks, camera, 200, {}), (Blocks{1, 2}));
     QCOMPARE(chooseBlocks(blocks, camera, 1000, {5}), (Blocks{1, 2, 3, 5}));  // stays while it is a little smaller
-    camera.clip.planes[0] = {1, 0, 0, 0};                                     // what is left has x of at least 0
+    camera.clip.planes[0] = {1, 0, 0, 0};                                     // The remainder has x of at least 0.
     QCOMPARE(chooseBlocks(blocks, camera, 1000, {}), (Blocks{1}));
   }
 
@@ -440,7 +440,7 @@ class TestPackedView : public QObject {
   }
   [[nodiscard]] QString said() const { return window_->statusLine().text(); }
 
-  /// From the part, of those that are no larger than others.
+  /// The block farthest from the part, among those that are no larger than others.
   [[nodiscard]] std::size_t farthestBlock() const {
     const PartPlace place = middle();
     std::size_t found = 0;

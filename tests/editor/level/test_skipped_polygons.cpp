@@ -49,7 +49,7 @@ class TestSkippedPolygons : public QObject {
     const auto seen = window.view().project({0, 4, 0});  // the middle of both corners
     QVERIFY(seen && window.view().rect().contains(seen->toPoint()));
     shoot(window, "skipped");
-    // By the keyboard; what is nowhere moves nothing.
+    // Selects by the keyboard; a polygon without a place moves nothing.
     const CameraPose there = window.view().cameraController().pose();
     table->setCurrentCell(2, 0);
     table->setFocus();

@@ -161,7 +161,7 @@ class TestUnits : public QObject {
     QCOMPARE(window_->document().filters()[1].step.values[0], 98.4251968504);
     QVERIFY2(field()->help().contains("98.4251968504"), qPrintable(field()->help()));
     QVERIFY(window_->document().undoStack()->undoText().contains("2.5"));
-    // In feet, the same value.
+    // The value in feet is the same.
     window_->units().choose(LengthUnit::Feet);
     QCOMPARE(rowOfClearance()->unitOf(0), QString("ft"));
     QVERIFY(field()->text().startsWith("8.2020997"));
@@ -250,7 +250,7 @@ class TestUnits : public QObject {
     place->setFocus();
     QTest::keyClick(place, Qt::Key_Return);
     QVERIFY(window_->view().hasFocus());
-    // What is wrong stays where it can be mended.
+    // A wrong value stays where it can be corrected.
     field()->setFocus();
     field()->selectAll();
     QTest::keyClicks(field(), "x");

@@ -70,7 +70,7 @@ class TestViewModes : public QObject {
   void wireframesHideNothing() {
     open();
     show(ViewMode::Wireframe);
-    QVERIFY(near(colourAt({2.2, 1, 0}), backgroundUpper(), 40));  // between the edges
+    QVERIFY(near(colourAt({2.2, 1, 0}), backgroundUpper(), 40));  // The pixel is between the edges.
     int wires = 0;
     const QImage picture = window_->view().grabFramebuffer();
     for (int y = 0; y < picture.height(); ++y) {
@@ -114,7 +114,7 @@ class TestViewModes : public QObject {
   void freeHeightsShowTheTable() {
     open();
     show(ViewMode::Clearance);
-    // From the side, under the table: 1 of 4 units, which is less than the limit of 2.
+    // The camera looks from the side, under the table: 1 of 4 units, which is less than the limit of 2.
     CameraPose low;
     low.position = {0, -9, 0.7};
     low.pivot = {0, 0, 0.1};
@@ -215,7 +215,7 @@ class TestViewModes : public QObject {
     QTest::mouseClick(bar.findChild<QToolButton*>("cutFlip"), Qt::LeftButton);
     QVERIFY(sameHue(colourAt({3, 1, 0}), walkablePaint().colour));
     QVERIFY(!sameHue(colourAt({-3, 1, 0}), walkablePaint().colour));
-    // To one end by keys: nothing is cut there.
+    // Keys move to one end: nothing is cut there.
     bar.slider().setFocus();
     QTest::keyClick(&bar.slider(), Qt::Key_End);
     QVERIFY(sameHue(colourAt({-3, 1, 0}), walkablePaint().colour));
@@ -246,7 +246,7 @@ class TestViewModes : public QObject {
     QCOMPARE(window_->view().mode(), mode);
   }
   QColor colourAt(const Vec3& place) { return colourInView(*window_, place); }
-  /// Between the lines of a hatching.
+  /// The brightest colour, between the lines of a hatching.
   QColor brightestAt(const Vec3& place) {
     const QImage picture = window_->view().grabFramebuffer();
     const auto at = window_->view().project(place);

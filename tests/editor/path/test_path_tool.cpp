@@ -68,7 +68,7 @@ class TestPathTool : public QObject {
     QVERIFY(waitForResult(PathStatus::NotConnected));
     QVERIFY(std::fabs(model().result()->points.back().x - 4) < 1e-9);
     QVERIFY2(text("rowError", "pathPanel").contains("separate parts"), qPrintable(text("rowError", "pathPanel")));
-    // Beside it, a little later: what keeps them apart.
+    // The reason appears beside it, a little later.
     QTRY_VERIFY(model().result()->separation);
     QCOMPARE(model().result()->separation->barrier().gap, 2.0);
     QVERIFY2(text("pathSeparation").contains("nearest at x 4, y 0, z 0 units: a gap of 2 units."),
@@ -193,13 +193,13 @@ class TestPathTool : public QObject {
     type("pathTarget", {"2", "-2", "0"});
     QVERIFY(waitForResult(PathStatus::Found));
     QCOMPARE(model().result()->planLength, 2 * std::hypot(2, 5));
-    // What is no number is marked, and the last place stays.
+    // Text that is no number is marked, and the last place stays.
     QLineEdit* x = field("pathStartX");
     x->setFocus();
     QTest::keyClick(x, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(x, "1e");
     QVERIFY(x->property("invalid").toBool());
-    QCOMPARE(model().start()->x, 1.0);  // what "1" said
+    QCOMPARE(model().start()->x, 1.0);  // the value of "1"
     QTest::keyClicks(x, "0");
     QVERIFY(!x->property("invalid").toBool());
 

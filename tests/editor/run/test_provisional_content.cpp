@@ -1,4 +1,4 @@
-// What the view shows between an edit and the result.
+// The content of the view between an edit and the result.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/editor_driver.hpp"
 #include "ui/run/provisional_content.hpp"
@@ -65,7 +65,7 @@ class TestProvisionalContent : public QObject {
     QCOMPARE(content.walkable.size(), std::size_t{2});
     QCOMPARE(facesOf(*content.walkable[0]), (std::vector<int>{0, 2}));
     QCOMPARE(content.walkable[1], piece.geometry);
-    // What was shown stays what it was.
+    // The shown content stays as it was.
     QCOMPARE(facesOf(*shown.content.walkable[0]), (std::vector<int>{0, 1, 1, 2}));
   }
 };

@@ -39,7 +39,7 @@ class TestRunController : public QObject {
     const QSignalSpy started(controller_.get(), &RunController::started);
     for (const double angle : {3.0, 30.0, 30.5}) {
       document_->setValue(document_->filters()[1].id, 0, angle, 1);
-      QVERIFY(controller_->busy());  // at once
+      QVERIFY(controller_->busy());  // busy at once
     }
     const QSignalSpy finished(controller_.get(), &RunController::finished);
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
@@ -53,7 +53,7 @@ class TestRunController : public QObject {
     const QSignalSpy failed(controller_.get(), &RunController::failed);
     QSignalSpy started(controller_.get(), &RunController::started);
     document_->setValue(document_->filters()[1].id, 0, 20, 1);
-    // In the middle of the first run.
+    // The edit comes in the middle of the first run.
     const auto overtake = connect(controller_.get(), &RunController::started, this, [this, &started] {
       if (started.count() == 1) document_->setValue(document_->filters()[1].id, 0, 25, 2);
     });
@@ -99,7 +99,7 @@ class TestRunController : public QObject {
     waitForPreviews();
     // The waves slope by 19 or 47 degrees: 10 takes away all that slopes, before anything is computed.
     document_->setValue(document_->filters()[1].id, 0, 10, 1);
-    QCOMPARE(contents.size(), std::size_t{1});  // at once, in the edit
+    QCOMPARE(contents.size(), std::size_t{1});  // The content changes during the edit itself.
     QVERIFY(controller_->busy());
     QCOMPARE(contents[0].changes.size(), std::size_t{1});
     QCOMPARE(contents[0].walkable.size(), std::size_t{1});  // the result before, as it was
@@ -114,7 +114,7 @@ class TestRunController : public QObject {
     QVERIFY(!controller_->busy());
     QCOMPARE(controller_->finishedRun()->pipeline.steps[1].values[0], 45.0);
 
-    // What it promised is what the run gives.
+    // The run confirms the preview.
     const std::size_t before = controller_->finishedRun()->result.mesh->triangles.size();
     controller_->runNow();
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
@@ -126,7 +126,7 @@ class TestRunController : public QObject {
     std::vector<ViewContent> contents;
     connect(controller_.get(), &RunController::contentReady, this,
             [&](const ViewContent& content) { contents.push_back(content); });
-    // Two edits at once: no preview tells of both.
+    // Two edits at the same time have no preview.
     document_->replacePipeline(
         parsePipeline("DegeneracyFilter\nSlopeFilter 10\nVerticalClearanceFilter 1\nAreaFilter 0\n", "test"), "");
     QVERIFY(contents.empty());
@@ -134,7 +134,7 @@ class TestRunController : public QObject {
     QVERIFY(!contents.empty());
     const ViewContent last = contents.back();
     QVERIFY(last.changes.empty());
-    // What came before it was the result before with its change, however much of that there was time for.
+    // The earlier contents are the result before with its change, as far as there was time.
     contents.pop_back();
     for (const ViewContent& content : contents) QVERIFY(!content.changes.empty() || content.walkable.size() > 1);
     QCOMPARE(last.walkable[0]->surface.size() / 3, controller_->finishedRun()->result.mesh->triangles.size());
@@ -157,13 +157,13 @@ class TestRunController : public QObject {
     connect(controller_.get(), &RunController::contentReady, this, [&](const ViewContent& content) { last = content; });
     QSignalSpy finished(controller_.get(), &RunController::finished);
     document_->undoStack()->undo();
-    QCOMPARE(finished.count(), 1);  // in the edit itself
+    QCOMPARE(finished.count(), 1);  // finished during the edit itself
     QVERIFY(controller_->upToDate());
     QCOMPARE(controller_->finishedRun(), before);
     QCOMPARE(last.walkable[0]->surface.size() / 3, before->result.mesh->triangles.size());
     for (const FilterEntry& entry : document_->filters())
       QVERIFY(controller_->status(entry.id).state == StepState::Cached);
-    // What was asked for runs all the same, and another level knows nothing of it.
+    // A requested run happens all the same, and another level does not use it.
     controller_->runNow();
     QVERIFY(controller_->busy());
     controller_->setEnvironment(environment_, {});
@@ -288,7 +288,7 @@ class TestRunController : public QObject {
   void eventsAreFetchedNotPushed() {
     int calls = 0;
     RunEventBuffer buffer([&] { ++calls; });
-    buffer.add({RunEvent::Kind::Progress, 0, 0.5, {}, nullptr});  // of a step that has not begun
+    buffer.add({RunEvent::Kind::Progress, 0, 0.5, {}, nullptr});  // The progress belongs to a step that has not begun.
     QCOMPARE(buffer.fetch().size(), std::size_t{0});
     buffer.add({RunEvent::Kind::StepStarted, 0, 0, "SlopeFilter", nullptr});
     for (int i = 0; i < 1000; ++i) buffer.add({RunEvent::Kind::Progress, 0, i / 1000.0, {}, nullptr});

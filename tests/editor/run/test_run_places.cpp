@@ -1,4 +1,4 @@
-// Where runs are computed: the choice, the session, runs by several processes, failing and cancelling.
+// The places where runs are computed: the choice, the session, runs by several processes, failing and cancelling.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -61,7 +61,7 @@ bool failsAfter(EditorWindow& window, const std::function<void()>& change) {
   return QTest::qWaitFor([&] { return window.idle() && failed.count() > 0; }, 60000);
 }
 
-/// What is checked in the menu.
+/// The entries that are checked in the menu.
 QStringList checkedPlaces(EditorWindow& window) {
   QStringList checked;
   for (const char* place : {"this_program", "processes", "hosts", "slurm"})
@@ -182,7 +182,7 @@ class TestRunPlaces : public QObject {
     QCOMPARE(runsStarted(folder), 2);
   }
 
-  // While another level is taken, with its filters and where it is run, nothing is run on the one before.
+  // Nothing runs on the earlier level while another one is taken, with its filters and its place.
   void theLevelBeforeIsNotRun() {
     const QTemporaryDir folder;
     setFailingMpirun(folder);
@@ -279,7 +279,7 @@ class TestRunPlaces : public QObject {
     QVERIFY(window.runPlaces().chosen() == RunPlace());
   }
 
-  // By mpirun, where it is there: the same bytes, and cells by rank.
+  // A run by mpirun, if installed: the same bytes, and cells by rank.
   void processesGiveTheSameResult() {
     qputenv("FOOTFALL_MPI", (QCoreApplication::applicationDirPath() + "/../footfall-mpi").toUtf8());
     if (const Text problem = problemOf(processes(2), runPrograms()); !problem.empty()) QSKIP(problem.str().c_str());
@@ -306,7 +306,7 @@ class TestRunPlaces : public QObject {
     QCOMPARE(exported(window, folder), all);
     QVERIFY(jobsLeft().isEmpty());
 
-    // What is behind the block is run here; the block is as it was.
+    // The filters behind the block run here; the block stays.
     QSignalSpy again(&window.controller(), &RunController::finished);
     window.document().removeFilter(window.document().filters().back().id);
     QVERIFY(QTest::qWaitFor([&] { return again.count() > 0 && window.idle(); }, 60000));
@@ -360,7 +360,7 @@ class TestRunPlaces : public QObject {
   }
 
  private:
-  const QTemporaryDir temporary_;  ///< for jobs, which others leave in the machine's, too
+  const QTemporaryDir temporary_;  ///< folder for jobs, which others leave in the machine's, too
 };
 
 FOOTFALL_EDITOR_SUITE(TestRunPlaces)

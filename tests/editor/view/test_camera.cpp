@@ -1,4 +1,4 @@
-// Where one looks from, and how mouse, keys, trackpad and commands change it.
+// The camera, and its changes by mouse, keys, trackpad and commands.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QNativeGestureEvent>
 #include <QTabletEvent>
@@ -72,7 +72,7 @@ class TestCamera : public QObject {
   void framesTheSelectionOrWhatTheMousePointsAt() {
     LevelView& view = window_->view();
     camera().setSelectionBounds("tool", SceneBox{{5, -2, 0}, {6, 2, 1.7}});
-    camera().setCovered({});  // beside what lies over the view it is not in the middle: test_view_overlays
+    camera().setCovered({});  // A place beside overlays is not in the middle: test_view_overlays.
     camera().frameSelection();
     const auto middle = view.project({5.5, 0, 0.85});
     QVERIFY(middle);
@@ -151,7 +151,7 @@ class TestCamera : public QObject {
     wheel(place, {0, 240});
     QVERIFY(distance(camera().pose().position, corner) < 0.8 * before);
     QVERIFY((*view.project(corner) - place).manhattanLength() < 3);
-    // In a parallel projection too.
+    // The same in a parallel projection.
     camera().viewFromTop();
     const QPointF there = *view.project(corner);
     wheel(there, {0, -120});
@@ -256,7 +256,7 @@ class TestCamera : public QObject {
     QTest::keyClick(&view, Qt::Key_3, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(distance(camera().pose().position, kept.position) < 1e-9);
     QVERIFY(!camera().pose().orthographic);
-    // With a name, and in a session.
+    // The view has a name, and is kept in a session.
     tools->keepBookmark(1, "The door");
     const QString session = folder_.filePath("bookmarks.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
@@ -295,11 +295,11 @@ class TestCamera : public QObject {
     window_->setInteractive(true);
     const auto lookedAlong = [&] { return view.rayAt(view.rect().center()).direction; };
     camera().viewFrom(ViewSide::Front);
-    QVERIFY(distance(directionOf(camera()), {0, 1, 0}) < 1e-6);  // where it goes
-    QVERIFY(std::abs(lookedAlong().z) > 0.1);                    // where it still is
+    QVERIFY(distance(directionOf(camera()), {0, 1, 0}) < 1e-6);  // the direction it turns to
+    QVERIFY(std::abs(lookedAlong().z) > 0.1);                    // the direction it still has
     QVERIFY(QTest::qWaitFor([&] { return camera().orthographic(); }));
     QVERIFY(std::abs(lookedAlong().z) < 1e-6);
-    // Who reduces motion, jumps.
+    // The camera jumps when motion is reduced.
     window_->commands().find("view.animate")->setChecked(false);
     camera().viewOblique();
     QVERIFY(!camera().orthographic());

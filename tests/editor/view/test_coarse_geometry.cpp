@@ -98,7 +98,7 @@ class TestCoarseGeometry : public QObject {
       for (const Vec3& p : {Vec3{x, 0, 0}, Vec3{x + 1, 0, 0}, Vec3{x, 1, 0}}) environment.vertices.push_back(p);
       environment.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
     }
-    // Of each triangle the part below `height`: 1 - (1 - height)^2 of it.
+    // The part of each triangle below `height`: 1 - (1 - height)^2 of it.
     const auto part = [](std::uint32_t from, std::uint32_t to, double height) {
       NavigationMesh mesh;
       for (std::uint32_t t = from; t < to; ++t) {

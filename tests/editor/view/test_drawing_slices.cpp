@@ -97,7 +97,7 @@ class TestDrawingSlices : public QObject {
     auto& modes = window.findChild<LevelLook*>()->modes();
     modes.setMode(mode);
     QTRY_VERIFY_WITH_TIMEOUT(modes.upToDate(), 30000);
-    // In slices, however fast the machine: the picture is dropped, and drawn on in events.
+    // Draws in slices, however fast the machine: the picture is dropped, and continued in events.
     int slices = 0;
     view.cameraController().zoomBy(1.3);
     QVERIFY(!view.isWhole());
@@ -137,7 +137,7 @@ class TestDrawingSlices : public QObject {
     QCOMPARE(frame(), view.grabFramebuffer());
   }
 
-  // As a run on a large level shows it: each with a surface and lines of its own.
+  // Parts arrive as from a run on a large level: each with a surface and lines of its own.
   void thousandsOfPartsLeaveTheWindowAlive() {
     const QTemporaryDir folder;
     EditorWindow window;

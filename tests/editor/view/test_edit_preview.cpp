@@ -1,4 +1,4 @@
-// What an edit shows before it runs, against what the run gives.
+// The preview of an edit before it runs, compared with the result of the run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 #include <ctime>
@@ -29,7 +29,7 @@ double areaOf(const NavigationMeshGeometry& geometry) {
   return area;
 }
 
-/// On the floor of 8 x 8.
+/// True when a place is near the border of the floor of 8 x 8.
 bool isNearBorder(const NavigationMeshGeometry& geometry, double distance) {
   return std::all_of(geometry.surface.begin(), geometry.surface.end(), [&](const SurfaceVertex& vertex) {
     return std::max(std::abs(vertex.position[0]), std::abs(vertex.position[1])) > 4 - distance - 1e-4;
@@ -73,7 +73,7 @@ class TestEditPreview : public QObject {
       const std::string edited = "AreaFilter " + std::to_string(minimum) + '\n';
       QVERIFY(about(areaOf(*gone[0]), areaAt("AreaFilter 0\n") - areaAt(edited)));
     }
-    QVERIFY(preview->changes({5}, {0}).empty());  // what comes back only the run knows
+    QVERIFY(preview->changes({5}, {0}).empty());  // Only the run can find what comes back.
   }
 
   void floorsGoWhereObstaclesAre() {
@@ -92,7 +92,7 @@ class TestEditPreview : public QObject {
       QVERIFY(about(areaOf(*back[0]), lost));
     }
     QVERIFY(preview->changes({3.5}, {3.9}).empty());
-    QVERIFY(preview->changes({2}, {5}).empty());  // farther than it knows
+    QVERIFY(preview->changes({2}, {5}).empty());  // The value is beyond the prepared range.
   }
 
   void whatIsUnderSomethingLowerDoesNotComeBack() {
@@ -100,7 +100,7 @@ class TestEditPreview : public QObject {
     // The upper board stands 1.5 above the table and 2.5 above the floor, the table 1 above the floor.
     const auto back = prepare(FilterType::VerticalClearance, 3)->changes({3}, {1.2});
     QCOMPARE(back.size(), std::size_t{2});
-    QVERIFY(about(areaOf(*back[0]), 8));  // under the board, on the table and on the floor
+    QVERIFY(about(areaOf(*back[0]), 8));  // Places are under the board, on the table and on the floor.
     QVERIFY(isPainted(*back[1], removalStyle(FilterType::VerticalClearance)->paint));
     QVERIFY(about(areaOf(*back[1]), 4));  // but over the latter stands the table
   }
@@ -111,7 +111,7 @@ class TestEditPreview : public QObject {
     const EditedStep same{FilterType::VerticalClearance, {2.5}, before_, nullptr};
     QVERIFY(preview->suits(same));
     EditedStep other = same;
-    other.values = {4};  // it knows no more than twice the clearance that it was made for
+    other.values = {4};  // The range ends at twice the clearance that it was made for.
     QVERIFY(!preview->suits(other));
     other = same;
     other.before = std::make_shared<NavigationMesh>(*before_);
@@ -135,7 +135,7 @@ class TestEditPreview : public QObject {
     QVERIFY(isPainted(*come[0], Paint{stepColour()}));
     // The riser and strips of 0.03 on both floors, from both sides; nothing at the wall.
     QVERIFY(about(areaOf(*come[0]), 2 * 8 * (0.3 + 2 * 0.03)));
-    QVERIFY(low->changes({0.2, 0}, {0.5, 0}).empty());  // farther than it knows
+    QVERIFY(low->changes({0.2, 0}, {0.5, 0}).empty());  // The value is beyond the prepared range.
     const auto high = prepareLast(head + "StepFilter 0.35 0\n");
     QVERIFY(high->changes({0.35, 0}, {0.31, 0}).empty());
     const auto gone = high->changes({0.35, 0}, {0.29, 0});
@@ -178,13 +178,13 @@ class TestEditPreview : public QObject {
     QVERIFY(isPainted(*back[1], removalStyle(FilterType::Radius)->paint));
     QVERIFY(about(areaOf(*back[1]), 4 * 8 * 0.25));
     QVERIFY(isNearBorder(*back[1], 0.25));
-    // Only a run knows which borders are ledges.
+    // Only a run can find which borders are ledges.
     QVERIFY(preview->changes({1, 1, 0.05}, {1, 1.5, 0.05}).empty());
-    QVERIFY(preview->changes({1, 1, 0.05}, {2.5, 2.5, 0.05}).empty());  // farther than it knows
+    QVERIFY(preview->changes({1, 1, 0.05}, {2.5, 2.5, 0.05}).empty());  // The value is beyond the prepared range.
   }
 
-  // A sample of 30,000 triangles; processor time, as others may want the machine as well. It takes under 20 ms, and 50
-  // are due; what checks itself, or shares its cache, takes several times as long.
+  // A sample of 30,000 triangles; processor time, because other programs may run. It takes under 20 ms, and 50 are due;
+  // instrumented or cache-sharing programs take several times as long.
   void editsOfALargeLevelAreShownAtOnce() {
     environment_ = importEnvironment(std::string(FOOTFALL_SOURCE_DIR) + "/samples/villa/villa.obj");
     const std::string head = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.05\n";

@@ -72,7 +72,7 @@ class TestLayerList : public QObject {
     QCOMPARE(panel_->hidden(), (std::set<std::uint32_t>{deck_}));
     const QImage without = picture();
     QVERIFY(shareOf(without, deck) < 0.001);
-    // What lay under it is seen: the floor of the environment went with it, and so did its outline.
+    // The ground below becomes visible: the floor of the environment went with it, and so did its outline.
     QVERIFY(shareOf(without, ground) > shareOf(all, ground) + 0.5 * shareOf(all, deck));
     const auto corner = window_->view().project({2, 2, 4});
     QVERIFY(corner);
@@ -142,7 +142,7 @@ class TestLayerList : public QObject {
     QCOMPARE(panel_->list().topLevelItemCount(), 1);
     QCOMPARE(panel_->list().topLevelItem(0)->text(2), QString("80.00"));
     QVERIFY(window_->view().hiddenLayers().empty());
-    // Where there are no layers, storeys stand for them.
+    // Storeys replace layers when there are none.
     window_->view().setFocus();
     QTest::keyClick(&window_->view(), Qt::Key_PageUp);
     QVERIFY(window_->heightSlider().shownFloor().has_value());

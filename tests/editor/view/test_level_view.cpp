@@ -1,4 +1,4 @@
-// What the view draws, and the program's screenshots.
+// The drawing of the view, and the program's screenshots.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QProcess>
 #include <cmath>
@@ -129,7 +129,7 @@ class TestLevelView : public QObject {
     QCOMPARE(window.view().content().removed.size(), std::size_t{1});
     const ViewContent::Removed& removed = window.view().content().removed[0];
     QVERIFY(removed.style == removalStyle(FilterType::VerticalClearance));
-    // Where the table is taken away, what was walkable before it shines through in the colour of its filter.
+    // The area that was walkable before shows through in the colour of its filter where the table is removed.
     CameraPose low;
     low.position = {0, -12, 0.8};
     low.pivot = {0, 0, 0};

@@ -33,7 +33,7 @@ class TestLineCrowds : public QObject {
 
  private slots:
   void lengthAndNumberAroundALine() {
-    // At a distance of 1 from each other: a length of 1 for each unit of area. Each is `pieces` lines on 200 units.
+    // The lines are 1 apart: a length of 1 for each unit of area. Each is `pieces` lines on 200 units.
     for (const int pieces : {1, 50}) {
       std::vector<LineSegment> lines = fence(200, pieces);
       setCrowds(lines);
@@ -99,7 +99,7 @@ class TestLineCrowds : public QObject {
     const double far = shareOf(view, obstacleEdgeColour());
     QVERIFY2(far < 0.01, qPrintable(QString::number(far)));
     QVERIFY(shareOf(view, walkablePaint().colour) < 0.1);
-    // From near each line has its colour.
+    // Each line has its colour from near.
     view.cameraController().zoomBy(20);
     const double near = shareOf(view, obstacleEdgeColour());
     QVERIFY2(near > 0.02, qPrintable(QString::number(near)));
@@ -107,7 +107,7 @@ class TestLineCrowds : public QObject {
   }
 
  private:
-  /// How much of the middle of the view has a colour, but for its light.
+  /// The share of the middle of the view that has a colour, but for its light.
   static double shareOf(LevelView& view, const QColor& colour) {
     const QImage picture = view.grabFramebuffer();
     const QRect middle(picture.width() / 2 - 80, picture.height() / 2 - 80, 160, 160);

@@ -1,4 +1,5 @@
-// What a RadiusFilter removes is shown by what is too near: a wall, a ledge, or, where it does not know, a border.
+// The area that a RadiusFilter removes is shown by the kind of border: a wall, a ledge, or, if that is unknown, a
+// border.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCheckBox>
 
@@ -87,7 +88,7 @@ class TestMargins : public QObject {
   void afterAFailedRunTheyAreThoseOfTheLastResult() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     const int radius = window_->document().filters()[2].id;
-    // A result whose kinds are not looked for yet, and a run that fails: a radius far below what doubles tell apart.
+    // A result whose kinds have not been found yet, and a run that fails: a radius far below what doubles distinguish.
     bool left = false;
     connect(&window_->controller(), &RunController::finished, this, [&] {
       if (std::exchange(left, true)) return;
@@ -164,7 +165,7 @@ class TestMargins : public QObject {
   void oneKindAlone() {
     openText(floorObj(), QByteArray(kClearance) + "RadiusFilter 1\n");
     QCOMPARE(reasons(), (QStringList{"Too near a ledge"}));
-    // Without a clearance nothing says what a wall is.
+    // Walls are undefined without a clearance.
     open(QByteArray(kSlope) + "RadiusFilter 1\n");
     QCOMPARE(reasons(), (QStringList{"Too near a border"}));
     QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearBorder));

@@ -1,4 +1,4 @@
-// What is seen is what is clicked, each switch governs what it names, and drawing leaves no OpenGL state behind.
+// Visible things are the pickable ones, each switch governs what it names, and drawing leaves no OpenGL state behind.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
@@ -144,11 +144,11 @@ class TestSceneRules : public QObject {
     const Vec3 walkable{-2, -3, 0};
     SceneParts parts;
     parts.outlines = false;
-    // Without walls, what was rejected stays.
+    // Rejected parts stay without walls.
     parts.environment = false;
     view().setParts(parts);
     QVERIFY(sameHue(colourAt(ramp), removalStyle(FilterType::Slope)->paint.colour));
-    // Without the walkable area, nothing else takes its place: no reason is told that is none.
+    // Nothing else replaces the walkable area, and no false reason is shown.
     for (const bool environment : {true, false}) {
       parts.environment = environment;
       parts.walkable = false;
@@ -175,7 +175,7 @@ class TestSceneRules : public QObject {
     SceneParts parts;
     parts.outlines = false;
     view().setParts(parts);
-    // Both triangles of the upper floor go, and one sees what lies below: none is told to be too steep.
+    // Both triangles of the upper floor go, and the parts below become visible: none counts as too steep.
     const std::uint32_t upper = layerAt(3);
     view().setHiddenLayers({upper});
     for (const Vec3& place : {Vec3{3, -3, 3}, Vec3{1, 0, 3}, Vec3{2, -1, 3}}) {
@@ -360,7 +360,7 @@ class TestSceneRules : public QObject {
       for (int x = 10; x < view().width(); x += 23) {
         const auto seen = view().pick({x, y});
         const bool blank = isLike(picture.pixelColor(x, y), empty.pixelColor(x, y));
-        // Where two surfaces of one colour meet in the picture, half a pixel decides as well.
+        // Half a pixel decides as well where two surfaces of one colour meet in the picture.
         const auto distanceTo = [&](const Vec3& point) {
           double least = std::numeric_limits<double>::infinity();
           for (const auto& [dx, dy] :
@@ -391,7 +391,7 @@ class TestSceneRules : public QObject {
     }
     return {some, nothing};
   }
-  /// With nothing in it: the same for all modes and parts of one camera, heights and cut plane.
+  /// The picture with nothing in it: the same for all modes and parts of one camera, heights and cut plane.
   const QImage& emptyPicture() {
     const auto look = std::tuple(view().sceneCamera(), view().heights(), view().cutPlane());
     if (emptyLook_ == look) return empty_;
@@ -409,7 +409,7 @@ class TestSceneRules : public QObject {
   static bool isLike(const QColor& a, const QColor& b) {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) <= 3;
   }
-  /// Beside another surface: half a pixel decides.
+  /// True beside another surface: half a pixel decides.
   static bool isEdge(const QImage& picture, int x, int y) {
     const QColor middle = picture.pixelColor(x, y);
     for (const auto& [dx, dy] : {std::pair{2, 0}, std::pair{-2, 0}, std::pair{0, 2}, std::pair{0, -2}}) {
@@ -429,7 +429,7 @@ class TestSceneRules : public QObject {
     return {at.x + centre.x, at.y + centre.y, at.z + centre.z};
   }
 
-  /// As the window's view, without what tools draw.
+  /// Sets the view up like the window's, without the drawings of tools.
   void dress(LevelView& other) {
     other.setEnvironment(view().environmentGeometry(), true);
     other.setContent(view().content());

@@ -1,4 +1,4 @@
-// What lies over the view, and where the camera puts things: beside it, and where they were.
+// The overlays of the view, and the places that the camera chooses: beside them, and unchanged.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDockWidget>
 #include <QPolygonF>
@@ -75,7 +75,7 @@ class TestViewOverlays : public QObject {
     }
     QVERIFY2(covered < size.width() * size.height() / 6,
              qPrintable(QStringLiteral("%1 of %2 x %3").arg(covered).arg(size.width()).arg(size.height())));
-    // Where it would take much of the room, a legend folds itself.
+    // A legend folds itself when it would take much of the room.
     window_->legend().fitInto({400, 300});
     QVERIFY(window_->legend().folded());
     window_->legend().fitInto({1100, 800});
@@ -89,7 +89,7 @@ class TestViewOverlays : public QObject {
     HeightSlider& heights = window_->heightSlider();
     QVERIFY(heights.isVisible());
     for (const int width : {320, 360, 420, 560, 900}) {
-      // As wide as docks at both sides leave it.
+      // The view is as wide as docks at both sides leave it.
       view().resize(width, 560);
       window_->overlays().update();
       const QRect here = hint.geometry();
@@ -99,7 +99,7 @@ class TestViewOverlays : public QObject {
       QVERIFY(hint.rect().contains(close->geometry()));
       QVERIFY(hint.height() >= hint.layout()->heightForWidth(hint.width()) || width > 500);
     }
-    // Who begins to work has seen it.
+    // A person who begins to work has seen it.
     QTest::keyClick(&view(), Qt::Key_M);
     QVERIFY(hint.isHidden());
     QTest::keyClick(&view(), Qt::Key_M);
@@ -130,8 +130,7 @@ class TestViewOverlays : public QObject {
   void panelsDoNotMoveThePicture() {
     QFETCH(bool, parallel);
     if (parallel) view().cameraController().viewFromTop();
-    QCursor::setPos(
-        window_->mapToGlobal(QPoint(2, 2)));  // where the mouse points at something, that stays: test_camera
+    QCursor::setPos(window_->mapToGlobal(QPoint(2, 2)));  // A place under the mouse stays where it is: test_camera.
     QVERIFY(QTest::qWaitFor([&] { return !view().rect().contains(view().mapFromGlobal(QCursor::pos())); }));
     const auto pivot = view().cameraController().pose().pivot;
     const auto onScreen = [&](const Vec3& place) {
@@ -199,7 +198,7 @@ class TestViewOverlays : public QObject {
     const QRectF room(0, 0, 400, 300);
     LabelLayout layout(room.size(), {slider, mark});
     std::vector<QRectF> taken{slider, mark};
-    // In the open, all at one place, beside the slider, under it, at an edge, and outside.
+    // Labels lie in the open, all at one place, beside the slider, under it, at an edge, and outside.
     for (const QPointF& at : {QPointF(100, 100), QPointF(200, 200), QPointF(200, 200), QPointF(200, 200),
                               QPointF(200, 200), QPointF(200, 200), QPointF(200, 200), QPointF(290, 120),
                               QPointF(345, 160), QPointF(398, 290), QPointF(2, 2), QPointF(-70, 40)}) {
@@ -210,9 +209,9 @@ class TestViewOverlays : public QObject {
         QVERIFY2(!box.intersects(other), qPrintable(QString("%1, %2").arg(at.x()).arg(at.y())));
       taken.push_back(box);
     }
-    // As near as can be: above to the right, where nothing is in the way.
+    // The label is as near as possible: above to the right, where nothing is in the way.
     QCOMPARE(taken[2].bottomLeft(), QPointF(110, 96));
-    // Without any room, inside all the same.
+    // A label without any room is inside all the same.
     LabelLayout full(room.size(), {room});
     QVERIFY(room.contains(full.place(label, {200, 200})));
   }
@@ -261,7 +260,7 @@ class TestViewOverlays : public QObject {
     frame.words->setFixedSize(150, 300);
     frame.fitInto({900, 600});
     QVERIFY(frame.folded());
-    // With fewer entries it does not open over what somebody looks at; in a larger view it does.
+    // It does not open over the selection with fewer entries; in a larger view it does.
     frame.words->setFixedSize(150, 60);
     frame.fitInto({900, 600});
     QVERIFY(frame.folded());
@@ -287,7 +286,7 @@ class TestViewOverlays : public QObject {
     };
     QVERIFY(sizeOf({2.75, 3, 0.25}, {3.25, 3, 0.25}) > 0.2);
     QVERIFY(view().rect().contains(view().project({3, 3, 0.25})->toPoint()));
-    // What was selected last counts, and what is not selected any more does not.
+    // The last selection counts, and removed ones do not.
     view().cameraController().setSelectionBounds("path", SceneBox{{-4, -4, 0}, {-3, -3, 0}});
     frame->trigger();
     QVERIFY(view().rect().contains(view().project({-3.5, -3.5, 0})->toPoint()));

@@ -135,7 +135,7 @@ class TestEditorWindow : public QObject {
     QVERIFY(!window_->document().filters()[2].step.enabled);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->filterList().rows()[2]->stateText(), QString("off"));
-    QVERIFY(window_->controller().finishedRun()->result.summary.area > before + 3.9);  // under the table: 4
+    QVERIFY(window_->controller().finishedRun()->result.summary.area > before + 3.9);  // area under the table: 4
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(window_->document().filters()[2].step.enabled);
     QVERIFY(waitUntilIdle(*window_));

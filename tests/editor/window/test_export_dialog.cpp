@@ -86,7 +86,7 @@ class TestExportDialog : public QObject {
     QVERIFY(run(kPipeline));
     QTest::qWait(300);
     QCOMPARE(readFile(path), second);
-    // What belonged to one level is not written over by the next.
+    // Targets of one level are not overwritten by the next.
     live->trigger();
     QTRY_COMPARE(readFile(path), first);
     QVERIFY(openZUp(*window_, writeFile(*folder_, "other.obj", floorObj()), kPipeline));
@@ -95,7 +95,7 @@ class TestExportDialog : public QObject {
     QCOMPARE(readFile(path), first);
   }
 
-  // A file for each layer: a second layer means a file that nobody was asked about.
+  // Each layer is a file: a second layer means a file that was not confirmed.
   void againReplacesNothingUnasked() {
     openDialog();
     QVERIFY(!accept("again.wkt").isEmpty());
@@ -177,7 +177,7 @@ class TestExportDialog : public QObject {
     shoot(*dialog, "export-html");
   }
 
-  // What was chosen for one target is there again for it, in the dialog, in the next one, and after a start.
+  // The options of one target are kept for it, in the dialog, in the next one, and after a start.
   void optionsAreRememberedForEachTarget() {
     openDialog();
     chooseTarget("godot-3");
@@ -386,7 +386,7 @@ class TestExportDialog : public QObject {
  private:
   ExportDialog* dialog() { return qobject_cast<ExportDialog*>(QApplication::activeModalWidget()); }
   ExportDialog* openDialog() {
-    window_->activateWindow();  // after a dialog before it, without a window manager
+    window_->activateWindow();  // Needed after an earlier dialog, without a window manager.
     if (!QTest::qWaitForWindowActive(window_.get())) qFatal("the window does not get the focus");
     QTest::keyClick(window_.get(), Qt::Key_E, Qt::ControlModifier);
     if (!QTest::qWaitFor([&] { return dialog() != nullptr; })) qFatal("no dialog for exports");

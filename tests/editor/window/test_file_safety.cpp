@@ -1,4 +1,4 @@
-// Nothing that is worked with is written over, nothing else without a question, and messages end with what they tell.
+// Files in use are never overwritten, others only after a question, and messages end with their subject.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
@@ -317,7 +317,7 @@ class TestFileSafety : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != before; }, 20000));
     const QString told = window_->messageBar().text();
     QVERIFY(waitUntilIdle(*window_));
-    // Where the run was faster than the file, it is of the environment that it was asked of.
+    // A run that was faster than the file is of the environment that it began with.
     if (QFile::exists(target)) {
       QVERIFY(readFile(target).contains("waves.obj"));
     } else {
@@ -366,7 +366,7 @@ class TestFileSafety : public QObject {
     edit(80);
     window_->saveSession(folder_->filePath("work.footfall"));  // nothing is unsaved
     QTRY_VERIFY(!window_->hasUnsavedChanges() && window_->idle());
-    // Another number of threads runs anew, and what a run has found is told by the event loop: not before close().
+    // Another number of threads runs anew, and its findings arrive by the event loop: not before close().
     window_->controller().setThreads(3);
     window_->exportResult(target);
     QVERIFY(!window_->close());
@@ -395,7 +395,7 @@ class TestFileSafety : public QObject {
       if (part.startsWith("data:image/png;base64,"))
         pictures << QImage::fromData(QByteArray::fromBase64(part.mid(22))).convertToFormat(QImage::Format_RGB32);
     QVERIFY(pictures.size() > 3);
-    pictures = pictures.mid(pictures.size() - 3);  // behind the legend's
+    pictures = pictures.mid(pictures.size() - 3);  // The picture is behind the legend's.
     window_->setInteractive(false);
     const QSize seen = view.size().scaled(1600, 1000, Qt::KeepAspectRatio);
     QCOMPARE(pictures[0], view.picture(seen, 1.25));
@@ -404,7 +404,7 @@ class TestFileSafety : public QObject {
     QVERIFY(pictures[1] != pictures[2]);
     // The level fills them, whatever the shape of the view.
     const QSize whole = view.size();
-    view.cameraController().setCovered({});  // over a picture there is nothing
+    view.cameraController().setCovered({});  // Nothing lies over a picture.
     view.cameraController().viewFromTop();
     const QImage jumped = view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF());
     QCOMPARE(jumped, view.picture(whole * view.devicePixelRatioF(), view.devicePixelRatioF(), PictureCamera::Top));

@@ -66,13 +66,13 @@ class TestFloorPlanDialog : public QObject {
     const QByteArray svg = readFile(folder_->filePath("plan.svg"));
     QVERIFY2(svg.contains("1:200") && svg.contains("Layer 0") && svg.contains("297mm"), svg.left(300).constData());
     QVERIFY(!svg.contains("#d6f0e6"));
-    // Of another plan they are remembered, but for the scale.
+    // Another plan keeps them, but for the scale.
     showDialog("plan-svg");
     const PlanOptions again = this->dialog()->settings().plan;
     QVERIFY(!again.scale && again.paper == Paper::A3 && again.pages == PlanPages::Layers);
   }
 
-  // A tower has a page for each layer; what is there under one of their names is asked about.
+  // A tower has a page for each layer; existing files of these names need a confirmation.
   void pagesAreNotReplacedUnasked() {
     window_->openWith(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/tower/tower.obj"), parsePipeline(kPipeline, "test"),
                       {});

@@ -1,7 +1,7 @@
 // Thousands of random events in the real window: no crash, memory that stays within bounds, and the result is still
-// right. The longest stretch in which the event loop could not answer is told, with what it was doing; only a freeze
-// fails, as drawing in software on a busy machine says little about a user's.
-// FOOTFALL_MONKEY_EVENTS and FOOTFALL_MONKEY_SEED choose other amounts and other events.
+// right. The longest stretch in which the event loop could not answer is reported, with its cause; only a freeze fails,
+// as drawing in software on a busy machine says little about a user's. FOOTFALL_MONKEY_EVENTS and FOOTFALL_MONKEY_SEED
+// choose other amounts and other events.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/resource.h>
 #include <unistd.h>
@@ -43,7 +43,7 @@ double residentMegabytes() {
   return static_cast<double>(resident) * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-/// What a person could do, at random.
+/// The random actions of a person.
 class Monkey {
  public:
   Monkey(EditorWindow& window, quint32 seed) : window_(window), random_(seed) {}
@@ -201,7 +201,7 @@ void TestMonkey::randomEventsBreakNothing() {
   qInfo("%d events, seed %u", events, seed);
   EditorWindow window;
   window.setRemembering(false);
-  window.resize(960, 640);  // what is drawn by software takes most of the time
+  window.resize(960, 640);  // Software drawing takes most of the time.
   QVERIFY(showWindow(window));
   const QString level = QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/house/house.obj");
   window.open(level);
@@ -225,7 +225,7 @@ void TestMonkey::randomEventsBreakNothing() {
   QVERIFY2(watchdog.longestStallMs() < 5000, "the window froze");
   QVERIFY2(residentMegabytes() < megabytesEarly + 400, "memory grows");
 
-  // What is shown is what a run from nothing gives.
+  // The shown result is that of a run from nothing.
   window.controller().runNow();
   QVERIFY(waitUntilIdle(window));
   if (!window.level()) return;

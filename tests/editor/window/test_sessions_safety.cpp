@@ -50,12 +50,12 @@ class TestSessionsSafety : public QObject {
     saved.pipeline = parsePipeline("SlopeFilter 31\nAreaFilter 2\n", "test");
     writeFileSafely(session.toStdString(), formatSession(saved, session.toStdString()));
 
-    QProcess editor;  // with the settings of this suite
+    QProcess editor;  // The program uses the settings of this suite.
     editor.setProcessChannelMode(QProcess::ForwardedChannels);
     editor.start(editorProgram(), {session});
     QVERIFY2(editor.waitForStarted(), qPrintable(editorProgram()));
     QVERIFY(QTest::qWaitFor([] { return !autosaves().isEmpty(); }, 60000));
-    // While it lives, what it works on belongs to it.
+    // Its files belong to it as long as it lives.
     {
       auto other = makeWindow();
       other->offerRestoring();
@@ -75,7 +75,7 @@ class TestSessionsSafety : public QObject {
     QCOMPARE(window_->environment()->up, UpAxis::Z);
     QVERIFY(window_->windowTitle().contains("work.footfall"));  // saving goes where it went before
     QVERIFY(!window_->hasUnsavedChanges());
-    // What was restored is kept by this window now, and offered to nobody else.
+    // A restored session is kept by this window now, and offered to no other.
     QTRY_COMPARE(autosaves().size(), 1);
     auto other = makeWindow();
     other->offerRestoring();
@@ -143,7 +143,7 @@ class TestSessionsSafety : public QObject {
     window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
 
     QVERIFY(!window_->close());
-    QVERIFY(!window_->close());  // asked already
+    QVERIFY(!window_->close());  // The question was shown already.
     QCOMPARE(window_->findChildren<QMessageBox*>().size(), 1);
     answer(QMessageBox::Cancel);
     QVERIFY(window_->isVisible() && window_->hasUnsavedChanges());

@@ -28,7 +28,7 @@ namespace {
 
 const QString kSamples = QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/");
 
-// Of the sample "rooms", in metres.
+// places of the sample "rooms", in metres
 constexpr Vec3 kDoorway{8.875, 5.0, 0};
 constexpr Vec3 kLivingRoom{2, 5, 0};
 constexpr Vec3 kGallery{17, 8, 2.375};
@@ -209,7 +209,7 @@ void TestStories::aDoorwayIsClosed() {
   QVERIFY(again && again->result.mesh->triangles.size() == mesh.triangles.size());
 }
 
-// A crate in the doorway closes it; moved aside, it opens again, and undo brings it back.
+// A crate in the doorway closes it; moved aside, it opens again, and undo restores it.
 void TestStories::aCrateIsMoved() {
   open(QStringLiteral("rooms"));
   setParameter("VerticalClearanceFilter", "1.8");
@@ -261,7 +261,7 @@ void TestStories::aCrateIsMoved() {
   QTRY_COMPARE(regions(), openRegions + 1);
 }
 
-// With a step below the risers, each tread is a part of its own: the path ends at the first one. One click raises the
+// Each tread is a part of its own with a step below the risers: the path ends at the first one. One click raises the
 // step, and the path goes up.
 void TestStories::stairsAreClimbed() {
   const QString file = folder_.filePath(QStringLiteral("stairs.obj"));
@@ -325,7 +325,7 @@ void TestStories::severalAgents() {
   QVERIFY(tall != small);
   command("agent.all")->trigger();
   QTest::qWait(3000);
-  // From one to the other by key, and the filters follow.
+  // Keys switch from one to the other, and the filters follow.
   window_->view().setFocus();
   for (const auto& [key, height] : {std::pair{Qt::Key_1, tall}, std::pair{Qt::Key_2, small}}) {
     QTest::keyClick(&window_->view(), key, Qt::AltModifier);

@@ -53,7 +53,7 @@ QByteArray largeEnvironment(int n) {
   return text;
 }
 
-// Whether the process holds SIGINT back, which it does from the moment on that it cancels instead of dying of it.
+// True when the process blocks SIGINT: from then on it cancels instead of dying of it.
 bool blocksInterrupt(qint64 pid) {
   for (const QByteArray& line : contentOf(QString("/proc/%1/status").arg(pid)).split('\n')) {
     if (line.startsWith("SigBlk:")) return (line.mid(7).trimmed().toULongLong(nullptr, 16) & (1u << (SIGINT - 1))) != 0;
@@ -306,7 +306,7 @@ void TestCommandLine::parallelListingRuns() {
   QCOMPARE(json.at("speed_up").at("speed_up").get<double>(),
            json.at("speed_up").at("one_thread_ms").get<double>() / json.at("speed_up").at("parallel_ms").get<double>());
 
-  // Perfetto wants complete events with times, and names for the lanes.
+  // Perfetto needs complete events with times, and names for the lanes.
   const auto trace = nlohmann::json::parse(contentOf(path("trace.json")).toStdString());
   std::size_t cells = 0, lanes = 0;
   for (const auto& event : trace.at("traceEvents")) {
@@ -371,7 +371,7 @@ void TestCommandLine::nothingThatIsReadIsWrittenOver() {
   write(path("board.obj"), level);
   write(path("board.mtl"), library);
   write(path("steps"), pipeline);
-  // Names without an ending, and with whatever ending an option wants.
+  // Names have no ending, or the ending that an option needs.
   for (const char* ending : {"", ".obj", ".json", ".html"}) {
     QVERIFY(QFile::link(path("board.obj"), path(QString("link") + ending)));
     QCOMPARE(::link(qPrintable(path("board.mtl")), qPrintable(path(QString("hard") + ending))), 0);
@@ -404,9 +404,9 @@ void TestCommandLine::nothingThatIsReadIsWrittenOver() {
   QVERIFY(!QFile::exists(path("x.json")));
 }
 
-// Before the work, not after hours of it.
+// Fails before the work, not after hours of it.
 void TestCommandLine::whereNothingCanBeWrittenIsToldFirst() {
-  write(path("broken.obj"), "v 0 0 0\nf 1 2 3\n");  // would be told next
+  write(path("broken.obj"), "v 0 0 0\nf 1 2 3\n");  // The next error would be reported.
   for (const auto& [target, says] : {std::pair{path("none/out.obj"), "its folder does not exist"},
                                      {path("."), "is a folder"},
                                      {path("board.obj/out.obj"), "board.obj is a file, not a folder"},

@@ -73,7 +73,7 @@ class TestPathCommand : public QObject {
     QCOMPARE(link["kind"].toString(), QString("open"));
     QCOMPARE(link["gap"].toDouble(), 12.0);
     QCOMPARE(link["to"].toArray(), (QJsonArray{20, 1, -1}));
-    // On the wall: higher than the floor, but less than the clearance.
+    // The place is on the wall: higher than the floor, but less than the clearance.
     const Outcome off = runProgram(path(file, {"--from", "-2", "1", "-2", "--to", "6", "1", "-2", "--json"}));
     QCOMPARE(off.exitCode, 1);
     const QJsonObject json = QJsonDocument::fromJson(off.out).object();

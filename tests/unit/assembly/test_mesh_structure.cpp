@@ -1,4 +1,4 @@
-// What filters find out about a walkable mesh in a clever way, against the plain way.
+// The structures that filters find in a walkable mesh in a clever way, against the plain way.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef emit  // Qt's, in the precompiled header; TBB has functions of that name
 #include <gmpxx.h>
@@ -287,7 +287,7 @@ class TestMeshStructure : public QObject {
     QVERIFY(sameProduct(products[0], products[2]));
   }
 
-  // What is far away changes nothing about how a region is simplified.
+  // The simplification of a region does not depend on far parts.
   void regionsAreSimplifiedEachOnTheirOwn() {
     const std::string filters = minimalPipeline(2) + "\nSimplificationFilter";
     const Soup here = tiles(20);

@@ -68,7 +68,7 @@ class TestBoxTree : public QObject {
         });
         for (Index o = 0; o < count; ++o) QVERIFY(seen[o] != 0 || !overlaps(boxes[i], boxes[o]));
       }
-      // In rows, wherever these begin: the same pairs, each once.
+      // Rows may begin anywhere: the same pairs, each once.
       const auto findPairs = [&](Index begin, const auto& queries) {
         std::vector<std::array<Index, 2>> pairs;
         for (Index place = begin; place < count; place += Tree::kRow) {
@@ -130,7 +130,7 @@ class TestBoxTree : public QObject {
   }
 
   // Doubles cannot tell on which side of its long edge the sliver's third corner lies, so a cut on it has no place that
-  // they could bound. What lies above one another elsewhere is still found.
+  // they could bound. Overlaps elsewhere are still found.
   void sliverSpoilsNoLayers() {
     const auto level =
         Soup()

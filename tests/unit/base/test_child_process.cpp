@@ -31,7 +31,7 @@ auto cancelsAfter(const QString& path) {
   };
 }
 
-/// One that is over but that nobody has asked for its status is gone, too.
+/// True for a process that is over, also if its status was never read.
 bool isGone(const QByteArray& id) {
   const QByteArray status = contentOf("/proc/" + id + "/stat");
   return status.isEmpty() || status.mid(status.lastIndexOf(')') + 2, 1) == "Z";
@@ -69,7 +69,7 @@ class TestChildProcess : public QObject {
     }
   }
 
-  // One that tidies up when it is asked to end is waited for, though its parent has ended.
+  // A process that tidies up when it is terminated is waited for, though its parent has ended.
   void thoseThatItStartedMayTidyUp() {
     const QTemporaryDir folder;
     const QString id = folder.filePath("id"), tidy = folder.filePath("tidy");

@@ -137,7 +137,8 @@ class TestTriangleTree : public QObject {
     }
   }
 
-  // Boxes that only touch in the plan are told from others: for certain on a grid of few bits, else never too many.
+  // Boxes that only touch in the plan are distinguished from others: for certain on a grid of few bits, else never too
+  // many.
   void crossingIsToldFromTouching() {
     Random random(6);
     const auto cross = [](const Box& a, const Box& b) {
@@ -175,7 +176,7 @@ class TestTriangleTree : public QObject {
     QVERIFY(none.isExactOn(-10, 10));
   }
 
-  // What is reported besides lies within the rounding of floats, whatever the size of the numbers.
+  // Additional results lie within the rounding of floats, whatever the size of the numbers.
   void littleElseIsFound() {
     Random random(2);
     for (const double scale : {1.0, 0x1p-1000, 0x1p900}) {

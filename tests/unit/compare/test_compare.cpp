@@ -153,7 +153,7 @@ void TestCompare::hausdorffBoundsHold() {
         farthest = std::max(farthest, nearest);
       });
     }
-    const double width = 2 * 12.1 / kNet;  // of a triangle's longest side
+    const double width = 2 * 12.1 / kNet;  // share of a triangle's longest side
     const auto& d = c.distances->at(0);
     RC_ASSERT(d.lower <= d.upper);
     RC_ASSERT(d.upper - d.lower <= error + 1e-9);
@@ -356,7 +356,7 @@ void TestCompare::approximateSimplification() {
   const double diagonal = std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
   QVERIFY(!c.equal() && c.covered() < 1 && c.covered() > 0.5);
   const auto& d = c.distances->at(0);
-  QVERIFY(d.max > 0 && d.max <= 1.000001 * tolerance * diagonal);  // what the filter promises
+  QVERIFY(d.max > 0 && d.max <= 1.000001 * tolerance * diagonal);  // the bound that the filter promises
   QVERIFY(d.min == 0 && d.mean <= d.rms && d.rms <= d.max && d.max <= d.upper);
   QVERIFY(isNear(*c.areaRatio(), 1, 0.01));
 }

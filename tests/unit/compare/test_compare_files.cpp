@@ -26,7 +26,7 @@ constexpr const char* kSquare = "v 0 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nf 1 2 3\n
 constexpr const char* kSquareAsPolygon = "v 0 0 0\nv 2 0 0\nv 4 0 0\nv 4 0 -4\nv 0 0 -4\nf 1 2 3 4 5\n";
 constexpr const char* kHalf = "v 0 0 0\nv 2 0 0\nv 2 0 -4\nv 0 0 -4\nf 1 2 3\nf 1 3 4\n";
 
-/// What `footfall run` writes for a sample, and what went into the file.
+/// The output of `footfall run` for a sample, and its input.
 struct Product {
   std::shared_ptr<const Environment> environment;
   NavigationMesh mesh;
@@ -177,7 +177,7 @@ void TestCompareFiles::gltfReadsBackWhatObjDoes() {
   QCOMPARE(gltf.mesh.obstacleEdges.size(), obj.mesh.obstacleEdges.size());
   QCOMPARE(gltf.mesh.drops.size(), obj.mesh.drops.size());
   QCOMPARE(findComponents(gltf.mesh).list.size(), findComponents(obj.mesh).list.size());
-  // Each link between the same places, at the same triangles, as far as floats tell.
+  // Each link is between the same places, at the same triangles, up to floats.
   QVERIFY(!obj.mesh.links.empty());
   QCOMPARE(gltf.mesh.links.size(), obj.mesh.links.size());
   const auto rounded = [](const Vec3& p) {
@@ -270,7 +270,7 @@ void TestCompareFiles::upAxes() {
   QVERIFY(readNavigationMesh(z).metresPerUnit == 0.5);
   QVERIFY(readNavigationMesh(z, UpAxis::Y).up == UpAxis::Y);
   QVERIFY((readNavigationMesh(y).mesh.vertices[2] == Vec3{4, 4, 0}));
-  // What states no axis lies as the other file does, whichever comes first.
+  // A file that states no axis lies as the other file does, whichever comes first.
   const QByteArray flat = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4\n";
   const QString unstated = file("unstated.obj", flat);
   for (const QStringList& files :
@@ -369,7 +369,7 @@ void TestCompareFiles::stepsInReports() {
   QVERIFY(json.at("links").at("a_without_b").at("empty") == true && json.at("links").at("common").at("length") == 0);
   const double length = json.at("b").at("link_length"), only = json.at("links").at("b_without_a").at("length");
   QVERIFY(length > 100 && std::fabs(length - only) <= 1e-12 * length);
-  QVERIFY(json.at("b").at("highest_link").get<double>() < 0.4 + 1e-9);  // between rounded vertices
+  QVERIFY(json.at("b").at("highest_link").get<double>() < 0.4 + 1e-9);  // The height is between rounded vertices.
 
   const Outcome people = runProgram({"compare", a, b, "--fail-if-different"});
   QCOMPARE(people.exitCode, 1);

@@ -82,7 +82,7 @@ reference::Rational area(const std::vector<reference::Polygon>& pieces) {
   return sum;
 }
 
-/// In the plan: the part of the polygons, each place once, outside of all holes.
+/// The part of the polygons in the plan, each place once, outside of all holes.
 reference::Rational areaWithout(const std::vector<reference::Polygon>& polygons,
                                 const std::vector<reference::Polygon>& holes) {
   reference::Rational sum = 0;
@@ -197,7 +197,7 @@ void TestComparedAreas::oneUlpOutOfThePlane() {
   QCOMPARE(exact.sets.areas[0].surface, 0.5);
   QCOMPARE(exact.meshes[0].whole.uncovered.plan, 0.5);
   QVERIFY(isNear(exact.sets.areas[1].surface, 0.5));
-  // That is what the default height is for.
+  // The default height serves this case.
   const auto usual = compare(square, moved);
   QVERIFY(!usual.equal());
   QCOMPARE(usual.meshes[0].whole.uncovered.plan, 0.0);

@@ -69,7 +69,7 @@ struct Field {
     for (int i = 0; i < kSize * kSize; ++i) {
       const double x = i % kSize, y = i / kSize, h = heights[i];
       const std::array<Vec3, 4> c = {Vec3{x, y, h}, {x + 1, y, h}, {x + 1, y + 1, h}, {x, y + 1, h}};
-      const std::size_t turn = random() % 2;  // which diagonal
+      const std::size_t turn = random() % 2;  // direction of the diagonal
       for (std::size_t k = 0; k < 2; ++k) {
         if (random() % 3 == 0) continue;
         const std::size_t a = turn + 2 * k;
@@ -159,11 +159,11 @@ class TestSurfaceDifference : public QObject {
     Random random(31415);
     std::uniform_real_distribution<double> place(-3, 3);
     for (int round = 0; round < 300; ++round) {
-      const double u = round % 3 == 0 ? 0 : 0.5, v = round % 3 == 2 ? -0.25 : 0;  // of the common plane
+      const double u = round % 3 == 0 ? 0 : 0.5, v = round % 3 == 2 ? -0.25 : 0;  // coordinates in the common plane
       const auto any = [&] {
         Corners t;
         for (Vec3& p : t) {
-          // On a grid, so that heights are exact.
+          // Coordinates lie on a grid, so that heights are exact.
           p.x = std::round(place(random) * 1024) / 1024;
           p.y = std::round(place(random) * 1024) / 1024;
           p.z = u * p.x + v * p.y;

@@ -133,7 +133,7 @@ class TestCellShare : public QObject {
     share.faces[1].face = 12;
     QCOMPARE(refusal(share), std::string("a floor is there twice"));
     share = someShare();
-    share.faces[1].face = 49;  // which has a part
+    share.faces[1].face = 49;  // Face 49 has a part.
     QCOMPARE(refusal(share), std::string("a floor is there twice"));
     share = someShare();
     share.parts.push_back(share.parts[0]);

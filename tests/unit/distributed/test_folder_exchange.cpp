@@ -69,7 +69,7 @@ struct JobRun {
     RunContext own;
     return bytes(runPipeline(environment, pipeline, own, nullptr, 1));
   }
-  /// What the run throws.
+  /// The error that the run throws.
   std::string problem() {
     try {
       run();
@@ -142,7 +142,7 @@ class TestFolderExchange : public QObject {
     QCOMPARE(works, std::vector<char>(3, 1));
   }
 
-  // What is behind the block needs no processes, and nor does a pipeline without one.
+  // Filters behind the block need no processes, and neither does a pipeline without one.
   void nobodyIsStartedForNothing() {
     ResultCache cache;
     JobRun run(house(), kFilters);
@@ -272,7 +272,7 @@ class TestFolderExchange : public QObject {
     }
   }
 
-  // Whether the results are wanted decides how long somebody waits for the processes.
+  // The use of the results decides how long the run waits for the processes.
   void theyLearnWhyTheyEnd() {
     for (const bool cancels : {false, true}) {
       JobRun run(house(), kFilters);

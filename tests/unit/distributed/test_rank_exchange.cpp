@@ -33,8 +33,8 @@ const std::vector<std::string> kStrategies{"GridStrategy 1 1",
                                            "HeightAwareStrategy 1 5",
                                            "AutoStrategy"};
 
-/// With S for the strategy: one pass, tests before and in the block, a second clearance, a filter that moves vertices,
-/// one that sees all cells, two blocks, a block without a clearance behind the last pass, and no block.
+/// S stands for the strategy: one pass, tests before and in the block, a second clearance, a filter that moves
+/// vertices, one that sees all cells, two blocks, a block without a clearance behind the last pass, and no block.
 const std::vector<std::string> kPipelines{
     "S\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n",
     "DegeneracyFilter\nSlopeFilter 50\nS\nVerticalClearanceFilter 1.5\nCollapse\nAreaFilter 0.5\n"
@@ -225,10 +225,10 @@ class TestRankExchange : public QObject {
     change(2, [](const QByteArray&) { return QByteArray("hello"); });
     change(3, [](const QByteArray&) { return QByteArray(); });
     QVERIFY(QFile::remove(folder.filePath(names[4])));
-    QVERIFY(QFile::copy(folder.filePath(names[5]), folder.filePath(names[4])));  // of another cell
+    QVERIFY(QFile::copy(folder.filePath(names[5]), folder.filePath(names[4])));  // The share is of another cell.
     QVERIFY(QFile::remove(folder.filePath(names[6])));
     QVERIFY(QDir(folder.path()).mkdir(names[6]));
-    // With a sound seal: no share at all, and one of another cell.
+    // The seal is sound: no share at all, and one of another cell.
     const auto sealedAnew = [](const QByteArray& original, const std::string& content) {
       const ShareName name = openShare(original.toStdString()).name;
       return QByteArray::fromStdString(sealShare(name, content));
@@ -292,7 +292,7 @@ class TestRankExchange : public QObject {
       QCOMPARE(outcome.ranks[0].cells, std::uint64_t{16});
       QVERIFY(bytes(outcome.result) == bytesOfOne(environment, pipeline));
     }
-    // What comes behind the block may differ.
+    // The filters behind the block may differ.
     Pipeline longer = pipelineOf("GridStrategy 4 4");
     longer.steps.pop_back();
     const RankOutcome outcome = runOnRanks(house, longer, options);
@@ -329,8 +329,8 @@ class TestRankExchange : public QObject {
     }
   }
 
-  // While rank 0 reads, nobody can stop it for a while. A rank that fails waits for it, and is told to be cut off only
-  // when that takes too long.
+  // Rank 0 cannot be stopped for a while as it reads. A rank that fails waits for it, and counts as cut off only when
+  // that takes too long.
   void aRankThatFailsWhileRankZeroReads() {
     const EnvironmentPtr house = sample("house");
     for (const bool isPatient : {true, false}) {
@@ -360,7 +360,7 @@ class TestRankExchange : public QObject {
     options.workFolder = folder.filePath("missing/work").toStdString();
     const RankOutcome outcome = runOnRanks(sample("rooms"), pipelineOf("GridStrategy 4 4"), options);
     QVERIFY2(outcome.error.find("this folder for shares cannot be made") != std::string::npos, outcome.error.c_str());
-    // That of another process, which has removed it.
+    // The folder of another process, which has removed it.
     options.workFolder = folder.filePath("gone").toStdString();
     options.leavesShares = true;
     QVERIFY(!runOnRanks(sample("rooms"), pipelineOf("GridStrategy 4 4"), options).error.empty());

@@ -1,4 +1,4 @@
-// Where processes are started: what is typed, what is told when they fail, and runs by footfall-mpi.
+// The places where processes are started: the commands, messages of failures, and runs by footfall-mpi.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCoreApplication>
 #include <QDir>
@@ -36,7 +36,7 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-/// As Open MPI frames what it says.
+/// Frames a message as Open MPI does.
 std::string inDashes(const std::vector<const char*>& lines) {
   const QByteArray dashes = QByteArray(74, '-') + '\n';
   QByteArray text = dashes;
@@ -157,7 +157,7 @@ class TestRunPlace : public QObject {
                 "ended with exit code 7"));
   }
 
-  // What mpirun itself says stands in dashes, with advice behind it.
+  // The message of mpirun itself stands in dashes, with advice behind it.
   void ofItsWordsTheFirstCount() {
     QCOMPARE(
         problemIn(
@@ -182,7 +182,7 @@ class TestRunPlace : public QObject {
              std::string("Primary job terminated normally, but"));
   }
 
-  // As the mpirun that is here says it.
+  // The message is that of the installed mpirun.
   void aHostFileThatIsTooShort() {
     QTemporaryDir folder;
     RunPlace place = placeOf(RunPlace::Kind::Hosts);
@@ -214,7 +214,7 @@ class TestRunPlace : public QObject {
     QCOMPARE(cancelled.readAll(), QByteArray("--name footfall-5\n--name footfall-5\n"));
     cancelled.close();
 
-    // When all is done, nobody waits for the queue.
+    // The run does not wait for the queue when all is done.
     QVERIFY(QFile::remove(folder.filePath("looks")) && cancelled.remove());
     const auto ends = [&] {
       if (QFile::exists(folder.filePath("begun"))) throw std::runtime_error("done");
@@ -232,7 +232,7 @@ class TestRunPlace : public QObject {
     QVERIFY(clock.elapsed() >= 1000 && clock.elapsed() < 40000);
   }
 
-  // By mpirun and footfall-mpi, where both are there.
+  // Runs by mpirun and footfall-mpi, if both are installed.
   void processesOfThisMachine() {
     const RunPlace place = placeOf(RunPlace::Kind::Processes);
     if (const Text problem = problemOf(place, programs()); !problem.empty()) QSKIP(problem.str().c_str());
@@ -245,7 +245,7 @@ class TestRunPlace : public QObject {
     QVERIFY(hasBegun);
     QVERIFY(QDir(folder.path()).isEmpty());
 
-    // What the processes tell is what the run tells.
+    // The run reports the messages of the processes.
     run.given = "NoSuchFilter\n";
     try {
       run.givesTheSame();
@@ -282,7 +282,7 @@ class TestRunPlace : public QObject {
     QCOMPARE(run.threadsOfRanks.size(), std::size_t{2});
   }
 
-  // Of a Slurm that is there: tests/mpi/slurm.sh brings one up.
+  // Needs a Slurm; tests/mpi/slurm.sh starts one.
   void machinesOfSlurm() {
     RunPlace place = placeOf(RunPlace::Kind::Slurm);
     place.processes = 2;

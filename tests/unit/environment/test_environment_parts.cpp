@@ -1,4 +1,4 @@
-// Meshes and materials as files name them, and what the programs tell of them.
+// Meshes and materials as files name them, and the programs' texts about them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <string>
@@ -138,7 +138,7 @@ class TestEnvironmentParts : public QObject {
       const QByteArray text = readAll(folder.path("out.obj"));
       return QByteArray::number(text.count("\nf "));
     };
-    QCOMPARE(area({}), QByteArray("2"));                           // on the roof
+    QCOMPARE(area({}), QByteArray("2"));                           // area on the roof
     QCOMPARE(area({"--obstacle-only", "roof"}), QByteArray("0"));  // it still blocks
     QCOMPARE(area({"--ignore", "wood"}), QByteArray("2"));         // the ground is free
     QCOMPARE(area({"--ignore", "roof/wood", "--obstacle-only", "ground"}), QByteArray("0"));

@@ -110,7 +110,7 @@ class TestPartRules : public QObject {
     QVERIFY_EXCEPTION_THROWN(rulesForName(*base, "", PartRole::Ignored, "--ignore"), InputError);
   }
 
-  // What is never walkable is an obstacle still: by the definitions, exactly.
+  // Parts that are never walkable are still obstacles: by the definitions, exactly.
   void obstaclesOnlyInRandomSoups() {
     QVERIFY(check("obstacles only in a tiny grid", 100, [] {
       const auto soup = soupOf(*gridTriangles(14, 3, 3));

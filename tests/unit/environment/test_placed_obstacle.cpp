@@ -36,7 +36,7 @@ bool isClosed(const TriangleSoup& soup) {
   return !uses.empty();
 }
 
-/// Above 0 when a closed surface faces outward.
+/// The volume: above 0 when a closed surface faces outward.
 double volume(const TriangleSoup& soup) {
   double six = 0;
   const Vec3& o = soup.vertices[0];
@@ -71,7 +71,7 @@ class TestPlacedObstacle : public QObject {
       const auto name = [turn](const char* shape) { return std::string(shape) + ' ' + std::to_string(turn); };
       QTest::newRow(name("box").c_str()) << static_cast<int>(Shape::Box) << turn << 24.0;
       QTest::newRow(name("ramp").c_str()) << static_cast<int>(Shape::Ramp) << turn << 12.0;
-      const double sector = 24 * std::sin(2 * M_PI / 24) / 2;  // of the unit circle
+      const double sector = 24 * std::sin(2 * M_PI / 24) / 2;  // area of a sector of the unit circle
       QTest::newRow(name("cylinder").c_str()) << static_cast<int>(Shape::Cylinder) << turn << sector * 1 * 1.5 * 4;
     }
   }
@@ -114,7 +114,7 @@ class TestPlacedObstacle : public QObject {
     QVERIFY_EXCEPTION_THROWN(soupOf(obstacle(Shape::Box, {inf, 0, 0}, {1, 1, 1})), InputError);
     QVERIFY_EXCEPTION_THROWN(soupOf(obstacle(Shape::Ramp, {0, 0, 0}, {1, 1, 1}, inf)), InputError);
     QVERIFY_EXCEPTION_THROWN(soupOf(obstacle(Shape::Box, {1.7e308, 0, 0}, {1.7e308, 1, 1})), InputError);
-    // Smaller than its place's digits can tell: flat, but a soup.
+    // The size is below the precision of its place: flat, but a soup.
     for (const Shape shape : {Shape::Box, Shape::Cylinder, Shape::Ramp})
       for (const double size : {1e-300, 5e-324, 1e-3, 1e5})
         for (const Vec3& v : solidSoupOf(obstacle(shape, {1e6, 1, 1}, {size, 1, size}, 20), 0.4).vertices)
@@ -176,7 +176,7 @@ class TestPlacedObstacle : public QObject {
     QCOMPARE(walkableArea(solidSoupOf(tall, 0.4), pipeline), 400.0);
   }
 
-  // What is inside stays inside: outside of obstacles nothing is different.
+  // Faces inside stay inside: nothing outside of obstacles differs.
   void facesInsideChangeNothingOutside() {
     for (const Shape shape : {Shape::Box, Shape::Cylinder, Shape::Ramp}) {
       const PlacedObstacle low = obstacle(shape, {0.1, 0.2, 0}, {3, 2, 1.5}, 17);

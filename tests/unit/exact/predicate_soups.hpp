@@ -120,7 +120,7 @@ inline mpq_class orientation(const Rational3& a, const Rational3& b, const Ratio
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-/// What the points and lines of the family are, straight from their definition and in the environment's coordinates.
+/// The points and lines of the family, straight from their definition and in the environment's coordinates.
 class Reference {
  public:
   explicit Reference(const PlanKernel& kernel)

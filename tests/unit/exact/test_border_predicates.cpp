@@ -19,7 +19,7 @@ class TestBorderPredicates : public QObject {
   void borders_data() { addNumbers(); }
 
   void borders() {
-    // what does not meet them does not notice them
+    // Parts that do not meet the borders do not change.
     QFETCH(int, numbers);
     Random random(test::seed() + 200 + static_cast<std::uint64_t>(numbers));
     for (int i = 0; i < test::rounds(Numbers(numbers) == Numbers::Extreme ? 2 : 12); ++i) {
@@ -99,7 +99,7 @@ class TestBorderPredicates : public QObject {
     const auto number = [&](std::size_t count) { return integer(random, 0, static_cast<int>(count) - 1); };
     plain.start(face);
     divided.start(face);
-    // on the side of the borders only, in between: the others must not notice
+    // These triangles are on the side of the borders only, in between: the others must not change.
     const auto triangles = static_cast<int>(mesh.triangles.size());
     for (int i = 0; i < 20; ++i) {
       const Index o = integer(random, 0, triangles - 1);

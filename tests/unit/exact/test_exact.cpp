@@ -27,7 +27,7 @@ int rounds() {
   return factor > 0 ? factor : 1;
 }
 
-/// How the coordinates of a random soup look.
+/// The form of a random soup's coordinates.
 enum class Numbers { Tiny, Decimal, Mixed, Huge };
 
 double randomCoordinate(Random& random, Numbers grid) {
@@ -226,7 +226,7 @@ class TestExact : public QObject {
     }
   }
 
-  // Where doubles are enough, and just beyond: nearly collinear corners of the largest coordinates of a grid.
+  // Tests where doubles are enough, and just beyond: nearly collinear corners of the largest coordinates of a grid.
   void orientationsOnGridsOfAnyWidth_data() {
     QTest::addColumn<int>("width");
     for (int width = 20; width <= 34; ++width) QTest::addRow("%d bits", width) << width;
@@ -284,7 +284,7 @@ class TestExact : public QObject {
       for (Index face = 0; face < static_cast<Index>(mesh->triangles.size()); ++face) {
         if (mesh->facing[face] <= 0) continue;
         geometry.start(face);
-        std::vector<std::array<Index, 3>> segments;  // from, to, line
+        std::vector<std::array<Index, 3>> segments;  // segments: from, to, line
         for (Index o = 0; o < static_cast<Index>(mesh->triangles.size()); ++o) {
           const auto& f = mesh->triangles[o];
           for (int k = 0; k < 3; ++k) addClipped(geometry, segments, f[k], f[(k + 1) % 3]);

@@ -167,7 +167,7 @@ class TestExactNumbers : public QObject {
       }
       int exponent = integer(random, -200, 100);
       if (i % 4 == 0 && n != 0) {
-        // at the ends of the range
+        // sizes at the ends of the range
         const int size = static_cast<int>(mpz_sizeinbase(n.get_mpz_t(), 2) - mpz_sizeinbase(d.get_mpz_t(), 2));
         exponent = (i % 8 == 0 ? integer(random, -1080, -1015) : integer(random, 1018, 1026)) - size;
       }
