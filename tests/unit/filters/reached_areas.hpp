@@ -100,8 +100,8 @@ inline Walked walkedOf(const WalkableState& state) {
   return walked;
 }
 
-/// Where seeds are worth placing: corners, middles of edges and of triangles, and anywhere; at the floor, a little and
-/// exactly the clearance above it, and lower or higher than that.
+/// A place worth a seed: corners, middles of edges and of triangles, and anywhere; at the floor, a little and exactly
+/// the clearance above it, and lower or higher than that.
 inline Vec3 seedFor(const Environment& environment, double clearance, std::mt19937_64& random) {
   const auto below = [&](int count) { return static_cast<int>(random() % static_cast<std::uint64_t>(count)); };
   const Triangle& t = environment.triangles[random() % environment.triangles.size()];

@@ -48,7 +48,7 @@ Crowd crowdOf(int count, std::uint32_t seed, const Height& height) {
   return crowd;
 }
 
-/// What is left of the floor at height 0, in unit squares by their middles.
+/// The remainder of the floor at height 0, in unit squares by their middles.
 std::vector<char> floorLeft(const NavigationMesh& mesh) {
   std::vector<char> left(kExtent * kExtent, 0);
   for (const Triangle& t : mesh.triangles) {
@@ -82,7 +82,7 @@ NavigationMesh run(const Environment& environment, const std::string& filters, i
               .mesh;
 }
 
-/// Of a triangle in space over a place; none beside it and where it stands upright.
+/// The height of a triangle in space over a place; none beside it and where it stands upright.
 std::optional<double> heightAt(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y) {
   const double whole = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (whole == 0) return std::nullopt;
@@ -131,7 +131,7 @@ class TestCrowds : public QObject {
       QCOMPARE(floorLeft(mesh), expected);
       // Every border lies on whole numbers, so areas are exact.
       QCOMPARE(floorArea(mesh), static_cast<double>(std::accumulate(expected.begin(), expected.end(), 0)));
-      // At one height nothing is walkable twice, and slabs above the floor keep what no other slab has.
+      // Nothing is walkable twice at one height, and slabs above the floor keep the area that no other slab has.
       if (level) QCOMPARE(planArea(mesh), static_cast<double>(kExtent * kExtent));
 
       // The same bytes on one thread, in cells, and in another order.
@@ -144,7 +144,7 @@ class TestCrowds : public QObject {
     }
   }
 
-  // The work is in two triangles of the floor; listeners still hear of it while it lasts.
+  // The work is in two triangles of the floor; listeners still get its progress while it lasts.
   void oneFloorTellsItsProgress() {
     Soup soup;
     soup.floor(0, 0, 200, 200, 0);
@@ -157,7 +157,7 @@ class TestCrowds : public QObject {
     QVERIFY2(between >= 20, qPrintable(QString::number(between)));
   }
 
-  // A crowd above one floor is told of while it is looked at, and cancelling is asked for all the time.
+  // The search of a crowd above one floor reports progress and polls for cancelling all the time.
   void crowdsTellTheirProgress() {
     const Crowd crowd = crowdOf(6000, 1, [](int i) { return 0.25 + i / 4096.0; });
     const auto environment = crowd.soup.environment();
@@ -229,7 +229,7 @@ class TestCrowds : public QObject {
           isClear = isClear && equal == 1;
           if (isFree) expected.push_back(*z);
         }
-        if (!isClear) continue;  // too near to a border to be told in doubles
+        if (!isClear) continue;  // The place is too near a border for doubles.
         for (const Triangle& t : mesh.triangles)
           if (const auto z = heightAt(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]], x, y))
             found.push_back(*z);
@@ -249,8 +249,8 @@ class TestCrowds : public QObject {
     }
   }
 
-  // What is left of a crowd's outlines is about what can be seen of them: outlines that cross where others cover the
-  // floor grow as the square of the depth.
+  // The remaining outlines of a crowd are about the visible ones: outlines that cross where others cover the floor grow
+  // as the square of the depth.
   void outlinesOfACrowdAreFew() {
     std::vector<std::size_t> counts;
     for (const int count : {500, 2000}) {
@@ -265,8 +265,8 @@ class TestCrowds : public QObject {
              qPrintable(QString("%1, then %2").arg(counts[0]).arg(counts[1])));
   }
 
-  // Of slabs in one plane each has hundreds before it. How many have to be known of those that are left a part does not
-  // grow with the depth.
+  // Each of many slabs in one plane has hundreds before it. The number that the remaining ones depend on does not grow
+  // with the depth.
   void slabsInOnePlaneNeedFewOthers() {
     std::vector<double> found;
     for (const int count : {1000, 4000}) {

@@ -56,7 +56,7 @@ std::vector<Index> standing(const StatePtr& state, std::size_t face) {
   return found ? std::vector<Index>(found->begin(), found->end()) : std::vector<Index>();
 }
 
-/// How many floors have many obstacles over them; -1: not all is the same.
+/// The number of floors with many obstacles over them; -1: not all is the same.
 int compare(const StatePtr& edited, const StatePtr& fresh) {
   for (std::size_t t = 0; t < fresh->walkable.size(); ++t) {
     if (!isSame((*edited->cuts)[t], (*fresh->cuts)[t])) return -1;
@@ -77,7 +77,7 @@ class Obstacles {
  public:
   explicit Obstacles(unsigned seed) : random_(seed) {}
 
-  /// Within a square of the given size.
+  /// Adds within a square of the given size.
   void add(Soup& soup, int count, int x, int y, int size) {
     for (int i = 0; i < count; ++i) {
       const int left = x + below(size), bottom = y + below(size);
@@ -139,7 +139,7 @@ class TestCutsNearChanges : public QObject {
     }
   }
 
-  // Among many walls there are just so few areas that depths are known or not.
+  // Many walls have just as many areas among them as decides whether depths are known.
   void depthsAreKnownOfEnoughAreas() {
     Obstacles random(3);
     Soup soup;
@@ -172,7 +172,7 @@ class TestCutsNearChanges : public QObject {
     QVERIFY(known > 10 && known < 60);
   }
 
-  // What comes covers a giant, makes it a crowd's floor, or stands on the whole of an edge; what goes gives it back.
+  // Added obstacles cover a giant, make it a crowd's floor, or stand on the whole of an edge; removed ones restore it.
   void giantsThatAreCoveredAndFreed() {
     Obstacles obstacles(7);
     Soup soup;

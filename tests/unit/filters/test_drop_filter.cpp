@@ -51,7 +51,7 @@ class TestDropFilter : public QObject {
     const std::string step = "StepFilter 0.4\n";
     QCOMPARE(lengthOf(dropped(fence(0.4), step + drops(1))), 8.0);  // stepped over
     QCOMPARE(lengthOf(dropped(fence(0.41), step + drops(1))), 6.0);
-    QCOMPARE(lengthOf(dropped(fence(0.4), drops(1))), 6.0);  // without a StepFilter it is 0
+    QCOMPARE(lengthOf(dropped(fence(0.4), drops(1))), 6.0);  // The step is 0 without a StepFilter.
     // A fence over one half, and one that grows from nothing to the clearance: passable up to the step.
     for (const Soup& half :
          {platform(1).wall(5, 4, 5, 6, 1, 2), platform(1).triangle({5, 3, 1}, {5, 5, 1}, {5, 5, 1.8})}) {
@@ -75,7 +75,7 @@ class TestDropFilter : public QObject {
     for (const DropLink& drop : mesh.drops)
       if (drop.start[0].x == 5 && drop.start[1].x == 5 && drop.start[0].z == 1)
         for (const Vec3& p : drop.landing) QCOMPARE(p.z, 0.6);
-    // What is too steep to stand on catches nobody, but nobody lands on or behind it either.
+    // Ground that is too steep to stand on catches nothing, and there are no landings on or behind it either.
     QCOMPARE(lengthOf(dropped(platform(1).quad({5, 2, 0.8}, {5, 6, 0.8}, {5.4, 6, 0}, {5.4, 2, 0}), drops(1, 0))), 6.0);
     QCOMPARE(lengthOf(dropped(platform(1).quad({5, 2, 0.8}, {5.4, 2, 0}, {5.4, 6, 0}, {5, 6, 0.8}), drops(1, 0))), 6.0);
   }
@@ -86,7 +86,7 @@ class TestDropFilter : public QObject {
     QCOMPARE(mesh.drops.size(), std::size_t{1});
     QVERIFY(std::fabs(mesh.drops[0].width - 4) < 1e-9);
     for (const int end : {0, 1}) QCOMPARE(mesh.drops[0].landing[end].x, 0.25);
-    // Over a low wall in the gap, as far as the step goes; with what is behind it, too.
+    // The drop leads over a low wall in the gap, as far as the step goes; with obstacles behind it, too.
     const auto walled = [](double z) { return ledge(1, 0.25).wall(0.125, -1, 0.125, 5, 0, z); };
     QCOMPARE(dropped(walled(1.4), "StepFilter 0.4\n" + drops(2)).drops.size(), std::size_t{1});
     QVERIFY(dropped(walled(1.41), "StepFilter 0.4\n" + drops(2)).drops.empty());
@@ -123,7 +123,7 @@ class TestDropFilter : public QObject {
     }
     QVERIFY(dropped(stairs, "StepFilter 0.25\n" + drops(2)).drops.empty());
     QCOMPARE(dropped(stairs, "StepFilter 0.2\n" + drops(2)).drops.size(), std::size_t{3});
-    // Beside the stairs, from each tread.
+    // Drops lead from each tread, beside the stairs.
     const Soup beside = Soup(stairs).floor(0, 2, 8, 6, -1);
     QCOMPARE(lengthOf(dropped(beside, "StepFilter 0.25\n" + drops(2))), 4.0);
     QCOMPARE(lengthOf(dropped(beside, "StepFilter 0.25\n" + drops(1.25))), 2.0);

@@ -61,7 +61,7 @@ struct LayerCounts {
   std::size_t cases = 0, connections = 0, optimum = 0;
 };
 
-/// Of the cases that are small enough to find the optimum.
+/// Checks the cases that are small enough to find the optimum.
 LayerCounts checkLayers(const Environment& environment) {
   RC_LOG() << toText(environment);
   const StatePtr before = runFilters(std::make_shared<Environment>(environment), minimalPipeline(0.5));

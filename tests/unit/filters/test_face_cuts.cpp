@@ -1,4 +1,4 @@
-// What stands above a floor is cut out of it along lines that part something, and along no others.
+// Obstacles are cut out of a floor along lines that divide something, and along no others.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <string>
@@ -12,7 +12,7 @@ using namespace footfall::test;
 
 namespace {
 
-/// Of the floor from 0 to 40 at height 0, two triangles.
+/// The cuts of the floor from 0 to 40 at height 0, two triangles.
 struct FloorCuts {
   std::size_t segments = 0, faces = 0, removed = 0;
 };

@@ -119,7 +119,7 @@ class TestFilterOrders : public QObject {
   }
 
   void overlappingFansAreLeftAlone() {
-    // before a clearance filter, floors may wind twice around a vertex
+    // Floors may wind twice around a vertex before a clearance filter.
     const std::array<Vec3, 5> ring{Vec3{100, 0, 0}, Vec3{-81, 59, 0}, Vec3{31, -95, 0}, Vec3{31, 95, 0},
                                    Vec3{-81, -59, 0}};
     Soup soup;

@@ -84,7 +84,7 @@ struct Counts {
 struct ExactBorders {
   std::vector<Point3> places;
   std::vector<BorderEdge3> borders;
-  std::vector<Index> parts;  ///< of the borders: what hangs together over edges and links
+  std::vector<Index> parts;  ///< parts of the borders: those that hang together over edges and links
   std::vector<std::array<BorderEdge3, 2>> gaps;
 
   explicit ExactBorders(const StatePtr& state) {
@@ -97,7 +97,7 @@ struct ExactBorders {
     const auto topology = topologyOf(*state);
     const TriangleCorners corners(mesh.triangles);
     DisjointSets sets(mesh.triangles.size());
-    std::map<std::array<Index, 2>, Index> triangleAt;  // of the border
+    std::map<std::array<Index, 2>, Index> triangleAt;  // number of each border
     for (Index e = 0; e < topology->edgeCount(); ++e) {
       const auto sides = topology->sidesOf(e);
       if (sides.size() > 1 && !isObstacle(mesh.triangles, sides)) {
@@ -118,7 +118,7 @@ struct ExactBorders {
     for (Index& part : parts) part = sets.find(part);
   }
 
-  /// What hangs together with a border that links may have divided since.
+  /// The part of a border that links may have divided since.
   [[nodiscard]] Index partOf(const BorderEdge3& whole) const {
     const auto isSame = [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
     const Rational dx = whole.to.x - whole.from.x, dy = whole.to.y - whole.from.y;
@@ -167,11 +167,10 @@ bool holdsSomewhere(const Environment& environment, const BorderEdge3& a, const 
   return false;
 }
 
-/// From above: all links over gaps are ones by the definition, on level borders from each side to the nearest place of
-/// the other one.
-/// From below: where it holds with a margin from both of two borders as they were before there was any link, their
-/// triangles are connected. A link divides borders where it ends, and to a part of one the nearest place may be
-/// another.
+/// Upper bound: all links over gaps are ones by the definition, on level borders from each side to the nearest place of
+/// the other one. Lower bound: where the definition holds with a margin from both of two borders as they were before
+/// there was any link, their triangles are connected. A link divides borders where it ends, and to a part of one the
+/// nearest place may be another.
 bool agrees(const std::shared_ptr<const Environment>& environment, double step, double gap, double margin,
             Counts& counts) {
   const StatePtr state = runFilters(environment, gaps(step, gap));
@@ -195,8 +194,8 @@ bool agrees(const std::shared_ptr<const Environment>& environment, double step, 
       }
     }
   }
-  // Where many borders are about as far from each other as the gap is wide, cuts bring forth others without an end, and
-  // what is not matched after some rounds is not linked: the filter says so.
+  // Cuts cause further cuts without end where many borders are about as far from each other as the gap is wide.
+  // Stretches not matched after some rounds are not linked, and the filter reports it.
   const RunResult result = run(environment, gaps(step, gap), nullptr);
   if (result.steps.back().note.str().find("undecided") != std::string::npos) return true;
   ++counts.decided;
@@ -256,7 +255,8 @@ class TestGapCorners : public QObject {
   void cornerToCorner() {
     // A ruling from either corner is 0.05 long at the most: 0.03 across and 0.04 along, of which 0.03 is there already.
     const NavigationMesh mesh = linked(diagonal(0.03, 0.03, 0.25), 0.25, 0.05);
-    QCOMPARE(gapCount(mesh), std::size_t{1});  // on one side of the corner; the other one would lead nowhere else
+    QCOMPARE(gapCount(mesh), std::size_t{1});  // The link is on one side of the corner; the other side would lead
+                                               // nowhere else.
     QCOMPARE(parts(mesh), std::size_t{1});
     QCOMPARE(pathParts(mesh), 1U);
     QCOMPARE(findMeshError(mesh), std::string());
@@ -284,7 +284,7 @@ class TestGapCorners : public QObject {
   }
 
   void aCornerAtABorder() {
-    // As near as the gap allows, and by more than the bisector of both allowed.
+    // The corner is as near as the gap allows, farther than the bisector of both allows.
     for (const double degrees : {10.0, 30.0, 45.0, 60.0, 70.0, 80.0}) {
       const auto text = QString::number(degrees);
       const NavigationMesh mesh = linked(pointed(degrees, 0.0499), 0.25, 0.05);
@@ -292,7 +292,7 @@ class TestGapCorners : public QObject {
       for (const StepLink& link : mesh.links) QVERIFY(link.width <= 0.05);
       QCOMPARE(gapCount(linked(pointed(degrees, 0.0501), 0.25, 0.05)), std::size_t{0});
     }
-    QCOMPARE(gapCount(linked(pointed(85, 0.03), 0.25, 0.05)), std::size_t{0});  // at less than 7 degrees
+    QCOMPARE(gapCount(linked(pointed(85, 0.03), 0.25, 0.05)), std::size_t{0});  // the angle is less than 7 degrees
   }
 
   void whatStandsAtACornerBlocksIt() {
@@ -300,9 +300,9 @@ class TestGapCorners : public QObject {
       return gapCount(linked(diagonal(0.03, 0.03).wall(x0, y0, x1, y1, low, 3), 0.25, 0.05));
     };
     QCOMPARE(with(4, 4.03, 4.03, 4, 0), std::size_t{0});     // across
-    QCOMPARE(with(4, 4.03, 4.03, 4, 2), std::size_t{1});     // above
-    QCOMPARE(with(4.03, 4.03, 5, 4.03, 0), std::size_t{0});  // at the corner, along the border
-    // What is in the way on one side leaves the other one, the longer of both.
+    QCOMPARE(with(4, 4.03, 4.03, 4, 2), std::size_t{1});     // The gap is above.
+    QCOMPARE(with(4.03, 4.03, 5, 4.03, 0), std::size_t{0});  // The gap is at the corner, along the border.
+    // An obstacle on one side leaves the other side, the longer one.
     const auto lengthWith = [](const Soup& wall) {
       const NavigationMesh mesh = linked(diagonal(0.03, 0.03).add(wall), 0.25, 0.05);
       return mesh.links.size() == 1 ? planLength(mesh, mesh.links[0].from) : 0;
@@ -358,7 +358,7 @@ class TestGapCorners : public QObject {
       QCOMPARE(read.links[i].width, mesh.links[i].width);
       QVERIFY(read.links[i].kind == StepKind::Gap);
     }
-    // What a smaller gap lacks is told as it is: from corner to corner.
+    // The excess of a smaller gap is stated as it is: from corner to corner.
     const auto apart = std::make_shared<const NavigationMesh>(linked(soup, 0.25, 0.04));
     const PathFinder finder(apart);
     const PathResult none = finder.find({1, 1, 0}, {7, 7, 0.125});
@@ -403,7 +403,7 @@ class TestGapCorners : public QObject {
   }
 
   void farFromTheOrigin() {
-    // What holds with 2^-40 of the largest coordinate to spare is listed there, too.
+    // Links that hold with 2^-40 of the largest coordinate to spare are listed there, too.
     Counts counts;
     std::mt19937 random(static_cast<std::uint32_t>(seed() + 1));
     for (int i = 0; i < rounds(30); ++i) {

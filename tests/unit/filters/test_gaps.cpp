@@ -66,8 +66,8 @@ struct Counts {
   std::size_t linked = 0, expected = 0;
 };
 
-/// Whether all links over gaps are ones by the definition, at several places of them, and, where there is a margin, all
-/// places at which it holds with that to spare are linked. Says on the log what is not.
+/// True when all links over gaps are ones by the definition, at several places of them, and, where there is a margin,
+/// all places at which it holds with that to spare are linked. Failures go to the log.
 bool agreesWithDefinition(const std::shared_ptr<const Environment>& environment, double height, double step, double gap,
                           double margin, Counts& counts) {
   const StatePtr state = runFilters(environment, gaps(height, step, gap));
@@ -121,7 +121,7 @@ bool agreesWithDefinition(const std::shared_ptr<const Environment>& environment,
         bool isClear = true;
         for (const double beside : {-margin, 0.0, margin}) {
           const double s = percent / 100.0 + beside / la, across = along(placeOn(a, s));
-          const double t = (across - low) / (high - low);  // from b.to on
+          const double t = (across - low) / (high - low);  // distance from b.to
           if (!(s > 0 && s < 1 && t > margin / lb && t < 1 - margin / lb)) {
             isClear = false;
             break;
@@ -226,7 +226,7 @@ class TestGaps : public QObject {
   }
 
   void bordersAtAnAngle() {
-    // From a common corner on, between two places as far from it, until these are 0.25 apart.
+    // The gap begins at a common corner, between two places as far from it, until these are 0.25 apart.
     const Soup soup = Soup()
                           .quad({0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0})
                           .quad({4, 0, 0.1}, {8, 0, 0.1}, {8, 4, 0.1}, {5, 4, 0.1});
@@ -252,7 +252,7 @@ class TestGaps : public QObject {
   }
 
   void aWedgeBarelyTooWideIsLinkedAsFarAsItIsNot() {
-    // From 0.125 to 0.25, and a gap that is less than that by less than the conditions tell apart.
+    // The gap goes from 0.125 to 0.25, and the limit is less than that by less than the conditions resolve.
     const Soup soup = Soup().floor(0, 0, 4, 4, 0).quad({4.125, 0, 0}, {8, 0, 0}, {8, 4, 0}, {4.25, 4, 0});
     const double angle = std::atan(1.0 / 32);
     const double widest = 0.25 * std::cos(angle) / std::cos(angle / 2);  // across the bisector, at the first one's end
@@ -411,7 +411,7 @@ class TestGaps : public QObject {
       try {
         QVERIFY2(
             agreesWithDefinition(one.soup.environment(one.bothSides), one.clearance, 0.3 * one.clearance, gap,
-                                 // In clusters of vertices, and far from the origin, not all that holds is linked.
+                                 // Some links are missing in clusters of vertices, and far from the origin.
                                  isOf("tiny") || isOf("nearly") || isOf("far") ? 0 : 1e-9 * largest, counts),
             qPrintable(
                 QString("case %1 (%2), clearance %3").arg(i).arg(QString::fromStdString(one.kind)).arg(one.clearance)));

@@ -159,7 +159,7 @@ class TestKeptLinks : public QObject {
   }
 
   void mergingMovesNoLinkApart() {
-    // What moves is linked no longer where it became wider or higher; the rest is.
+    // Moved borders lose their link where it became wider or higher; the others keep it.
     Soup soup = stairsAndSlit();
     soup.floor(-4, 0, -0.0625, 2, 0).floor(-0.0625, 2.001, 1, 4, 0.125);
     const NavigationMesh before = result(soup, "StepFilter 0.25 0.125\n");

@@ -91,7 +91,7 @@ class TestOpenGrid : public QObject {
           for (const double u : {-0.45, 0.45})
             for (const double v : {-0.45, 0.45}) QVERIFY(sideOf(above, x + u * unit, y + v * unit) > 0);
         }
-      // Beside cells on the outline, all that lies inside is closed.
+      // All inner cells are closed beside cells on the outline.
       double around = 0;
       for (int k = 0; k < 3; ++k)
         around += std::fabs(above[k].x - above[(k + 1) % 3].x) + std::fabs(above[k].y - above[(k + 1) % 3].y);
@@ -109,7 +109,7 @@ class TestOpenGrid : public QObject {
     QVERIFY2(covering > 100 && apart > 10, qPrintable(QString("%1, %2").arg(covering).arg(apart)));
   }
 
-  // Cells are coarse beside thin triangles: while few are open, those themselves are asked.
+  // Cells are coarse beside thin triangles: the triangles themselves are tested while few are open.
   void tellsThinTrianglesApart() {
     Soup soup;
     soup.floor(0, 0, 64, 64, 0);

@@ -17,7 +17,7 @@ namespace {
 
 const std::string kBefore = minimalPipeline(2) + "\n";
 
-/// Of the round square about a post: arcs are divided at less than 17 degrees.
+/// The corners of the round square about a post: arcs are divided at less than 17 degrees.
 constexpr std::size_t kCorners = 4 * (6 + 2);
 
 /// Posts of an eighth in a row, one after each metre, on a floor that is 10 wide.
@@ -83,12 +83,12 @@ class TestRadiusCrowds : public QObject {
     QVERIFY2(left.triangles.size() < 400 * 2 * kCorners, qPrintable(QString::number(left.triangles.size())));
   }
 
-  // Without a clearance, floors overlap, and three triangles meet at an edge.
+  // Floors overlap without a clearance, and three triangles meet at an edge.
   void allWaysOnAreTaken() {
     Soup soup;
-    soup.floor(0, 0, 5, 6, 0).floor(0, 6, 5, 10, 0);  // on the left of x = 5
+    soup.floor(0, 0, 5, 6, 0).floor(0, 6, 5, 10, 0);  // Left of x = 5.
     soup.floor(5, 0, 10, 6, 0).floor(5, 6, 10, 10, 0);
-    soup.ramp(5, 0, 10, 6, 0, 2);  // over one of them; its side begins at (5, 6)
+    soup.ramp(5, 0, 10, 6, 0, 2);  // The ramp is over one of them; its side begins at (5, 6).
     const NavigationMesh left =
         navigationMesh(runFilters(soup.environment(), std::string("SlopeFilter 45\nRadiusFilter 0.5\n")));
     const reference::BorderDistance places(left);

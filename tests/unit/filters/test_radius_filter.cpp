@@ -53,7 +53,7 @@ Tally checkPromise(const std::shared_ptr<Environment>& environment, const std::s
                    std::mt19937& random, reference::MeasuredArea measured = reference::MeasuredArea::AsGiven) {
   return checkPromise(environment, before, Distances{r, r}, places, random, measured);
 }
-/// Of two buildings, the second is turned, which leaves lines that coincide but for roundings.
+/// The second of two buildings is turned, which leaves lines that coincide but for roundings.
 reference::MeasuredArea measuredOf(int building) {
   return building % 2 == 0 ? reference::MeasuredArea::AsGiven : reference::MeasuredArea::Simplified;
 }
@@ -91,7 +91,7 @@ class TestRadiusFilter : public QObject {
   }
 
   void wallsWithoutThicknessHaveTwoSides() {
-    // From (5, 3) to (5, 7): two rectangles and two half discs.
+    // The wall goes from (5, 3) to (5, 7): two rectangles and two half discs.
     const Soup room = Soup().floor(0, 0, 10, 10, 0).wall(5, 3, 5, 7, 0, 3);
     const double exact = 64 - (4 * 2 + std::numbers::pi), lost = exact - area(narrowed(room, 1));
     QVERIFY(lost > 0 && lost < 0.02 * std::numbers::pi);
@@ -126,7 +126,7 @@ class TestRadiusFilter : public QObject {
     QCOMPARE(left.links.size(), std::size_t{6});
     QCOMPARE(components(narrowed(stairs, 1, before, "AreaFilter 3\nSimplificationFilter\nLayerSubdivisionFilter\n")),
              1U);
-    QCOMPARE(area(narrowed(stairs, 1)), 0.0);  // without steps, each tread is an island
+    QCOMPARE(area(narrowed(stairs, 1)), 0.0);  // Each tread is an island without steps.
   }
 
   // A walk to the edge of a gap ends there, though a floor's border is just below, and the one behind the gap leans so
@@ -141,8 +141,8 @@ class TestRadiusFilter : public QObject {
     QVERIFY(tally.near > 1000 && tally.far > 500);
   }
 
-  // At a corner of a gap some bridges end beside others: their sides are borders for who walks there, to the filter and
-  // to the definition alike.
+  // Some bridges end beside others at a corner of a gap: their sides are borders, to the filter and to the definition
+  // alike.
   void gapsWithCorners() {
     std::mt19937 random(static_cast<unsigned>(seed()));
     for (const double turn : {0.1, 0.3, 0.5}) {
@@ -222,7 +222,8 @@ class TestRadiusFilter : public QObject {
       before = now;
     }
     QVERIFY(before > 100 - 5 - 1.21 * disc / 4);
-    // What is no higher than a step is no wall; a railing is one; so is what hangs beside the floor at a man's height.
+    // Obstacles no higher than a step are no walls; a railing is one; so is an obstacle that hangs beside the floor at
+    // a man's height.
     QVERIFY(isAbout(left(Soup(floor).wall(0, -1, 0, 5, -1, 0.3), "1 0"), 100.0000001, 1e-6));
     QVERIFY(left(Soup(floor).wall(0, -1, 0, 5, 0, 1), "1 0") < 94.3);
     QVERIFY(left(Soup(floor).wall(0, -1, 0, 5, 1, 1.5), "1 0") < 94.3);
@@ -406,7 +407,7 @@ class TestRadiusFilter : public QObject {
             rooms.box({4.75, -1, 0}, {5.25, low, 3}).box({4.75, high, 0}, {5.25, 5, 3});
           else
             rooms.wall(5, -1, 5, low, 0, 3).wall(5, high, 5, 5, 0, 3);
-          // What is on top of a wall is no room.
+          // The space on top of a wall is no room.
           const NavigationMesh left = narrowed(turned(rooms), r, minimalPipeline(2) + "\n", "AreaFilter 1\n");
           QCOMPARE(components(left), more > 0 ? 1U : 2U);
         }
@@ -419,12 +420,13 @@ class TestRadiusFilter : public QObject {
     QVERIFY(std::fabs(area(narrowed(floors, 0.5, before)) - 9 * 3) < 1e-11);
     QCOMPARE(components(narrowed(floors, 0.5, before)), 1U);
     const Soup walled = Soup(floors).wall(5, -1, 5, 2, 0, 3);
-    // To 4.5 and from 5.5 on there are margins of 0.5 as far as the wall's end, round which they are half a disc.
+    // The margins of 0.5 reach to 4.5 and begin again at 5.5, as far as the wall's end, round which they are half a
+    // disc.
     const double exact = 9 * 3 - 1.5 * 1 - std::numbers::pi / 8, lost = exact - area(narrowed(walled, 0.5, before));
     QVERIFY(lost > -1e-9 && lost < 0.02 * std::numbers::pi / 8);
     QCOMPARE(components(narrowed(walled, 0.5, before)), 1U);
     QCOMPARE(components(narrowed(walled, 1.001, before)), 2U);  // the passage is 2 wide
-    // Through the middle of the upper floor, along the walk.
+    // The wall goes through the middle of the upper floor, along the walk.
     const Soup along = Soup(floors).wall(6, 2, 9, 2, 0, 3);
     QCOMPARE(components(narrowed(along, 0.5, before)), 1U);
     QVERIFY(std::fabs(area(narrowed(along, 0.5, before)) - (9 * 3 - 3 - std::numbers::pi / 4)) < 0.02);

@@ -70,7 +70,7 @@ class TestRadiusPromise : public QObject {
       add(name, QString("ifc/%1.ifc").arg(name), 2);
     for (const char* name : {"house", "rooms", "villa", "arena", "docks", "tower"})
       add(name, QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2);
-    // With distances of their own for walls and for ledges.
+    // Walls and ledges have different distances.
     for (const char* name : {"house", "villa"})
       addRows(QString("%1, walls and ledges").arg(name), QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2,
               0.3, 0.1);

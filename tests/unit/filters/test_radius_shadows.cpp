@@ -66,7 +66,8 @@ class TestRadiusShadows : public QObject {
     QVERIFY(!isLeft("1 0"));
   }
 
-  // Along a corridor from the wall, at (0.6, 0.2) to the left, at (0.8, 0.4) to the right again: 0.88 as far as there.
+  // The walk goes along a corridor from the wall, at (0.6, 0.2) to the left, at (0.8, 0.4) to the right again: 0.88 in
+  // length so far.
   void walksBendTwice() {
     const Soup room = Soup()
                           .floor(0, 0, 0.8, 0.2, 0)
@@ -84,7 +85,7 @@ class TestRadiusShadows : public QObject {
     QCOMPARE(tally.wrong, std::size_t{0});
   }
 
-  // Round the end of a wall, as far as the border goes: a body there touches the wall's end.
+  // The margin goes round the end of a wall, as far as the border goes: a body there touches the wall's end.
   void endsOfWallsAreRound() {
     const Soup pit = Soup().floor(0, 0, 10, 4, 0).floor(0, 4, 4, 6, 0).floor(6, 4, 10, 6, 0).floor(0, 6, 10, 10, 0);
     const Soup room = Soup(pit).wall(4, 4, 6, 4, -1, 3);

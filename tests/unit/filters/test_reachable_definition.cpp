@@ -227,7 +227,7 @@ class TestReachableDefinition : public QObject {
     };
     const ObstacleId id = edited.add(crate(2, 2, 0));
     for (int i = 0; i < 12; ++i) {
-      // In the gap of the wall, where it parts the rooms, and off it.
+      // The crate is in the gap of the wall, where it divides the rooms, and off it.
       edited.replace(id, crate(i % 4 == 1 ? 5 : 1.5 + 0.375 * i, i % 4 == 1 ? 4.5 : 2 + 0.25 * (i % 3), 0));
       const auto environment = edited.environment();
       QVERIFY2(agrees(environment, pipeline, cache), qPrintable(QString::number(i)));

@@ -1,4 +1,4 @@
-// ReachableFilter: places where regions meet, what is told, and what users get wrong.
+// ReachableFilter: places where regions meet, reports, and wrong input.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <algorithm>
@@ -39,7 +39,7 @@ class TestReachableFilter : public QObject {
     const std::string clearance = minimalPipeline(2), seed = "ReachableFilter 1 1 0\n";
     QCOMPARE(areaOf(soup, clearance + seed), 4.0);
     QCOMPARE(areaOf(soup, clearance + "StepFilter 0.3\n" + seed), 8.0);
-    QCOMPARE(areaOf(soup, clearance + seed + "StepFilter 0.3\n"), 4.0);  // before: no links yet
+    QCOMPARE(areaOf(soup, clearance + seed + "StepFilter 0.3\n"), 4.0);  // The seeds come before links exist.
     QCOMPARE(areaOf(soup, clearance + "StepFilter 1\n" + seed), 12.0);
     const NavigationMesh mesh = navigationMesh(runFilters(soup.environment(), clearance + "StepFilter 0.3\n" + seed));
     QCOMPARE(mesh.links.size(), std::size_t{1});  // the one that is left with both of its sides
@@ -71,7 +71,7 @@ class TestReachableFilter : public QObject {
       return areaOf(soup, minimalPipeline(2) + "ReachableFilter " + seed + "\n");
     };
     QCOMPARE(areaAt("1 1 0"), 4.0);
-    QCOMPARE(areaAt("2 1 0"), 8.0);    // on the obstacle edge: both sides of it
+    QCOMPARE(areaAt("2 1 0"), 8.0);    // The seed is on the obstacle edge: both sides count.
     QCOMPARE(areaAt("2 2 0"), 8.0);    // its end
     QCOMPARE(areaAt("4 2 0.5"), 8.0);  // a corner of both
     QCOMPARE(areaAt("0 0 1"), 4.0);    // a corner of one
@@ -86,8 +86,8 @@ class TestReachableFilter : public QObject {
     };
     QCOMPARE(areaAt("3 1 3"), 12.0);
     QCOMPARE(areaAt("3 1 5"), 12.0);  // exactly the clearance above it
-    QCOMPARE(areaAt("2 1 3"), 12.0);  // on the upper one's edge: the lower one is not meant
-    QCOMPARE(areaAt("3 1 2"), 16.0);  // under the upper one
+    QCOMPARE(areaAt("2 1 3"), 12.0);  // The seed is on the upper one's edge: the lower one is not meant.
+    QCOMPARE(areaAt("3 1 2"), 16.0);  // The seed is under the upper one.
     QCOMPARE(areaAt("1.9999999999999998 1 2"), 16.0);
     QCOMPARE(areaAt("9 0.25 0.5"), std::hypot(2, 1));  // exactly on a slanted floor
     QVERIFY(errorOf(soup, minimalPipeline(2) + "ReachableFilter 9 0.25 0.49999999999999994\n")
@@ -99,7 +99,7 @@ class TestReachableFilter : public QObject {
   void theLargestClearanceCounts() {
     const Soup soup = Soup().floor(0, 0, 4, 4, 0);
     const std::string seed = "ReachableFilter 1 1 50\n";
-    QCOMPARE(areaOf(soup, seed), 16.0);  // without a clearance: however far
+    QCOMPARE(areaOf(soup, seed), 16.0);  // The distance has no limit without a clearance.
     QCOMPARE(areaOf(soup, "VerticalClearanceFilter 50\n" + seed), 16.0);
     QCOMPARE(areaOf(soup, "VerticalClearanceFilter 50\nVerticalClearanceFilter 2\n" + seed), 16.0);
     QCOMPARE(areaOf(soup, "VerticalClearanceFilter 2\nVerticalClearanceFilter 50\n" + seed), 16.0);

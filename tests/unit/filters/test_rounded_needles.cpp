@@ -50,11 +50,11 @@ double distanceTo(const Edge& edge, const Vec3& p) {
   return length(p - (edge[0] + t * d));
 }
 
-/// Before and behind the repair of the same rounded mesh.
+/// The same rounded mesh before and after its repair.
 struct Compared {
   double before = 0, behind = 0;  ///< areas in the plan
   double largest = 0;             ///< coordinate
-  double farthest = 0;            ///< of the product's border from the border before, in the plan and up
+  double farthest = 0;            ///< distance of the product's border from the border before, in the plan and up
   std::string error;
 };
 Compared compare(const StatePtr& given) {

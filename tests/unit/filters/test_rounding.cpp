@@ -83,7 +83,7 @@ class TestRounding : public QObject {
 
   void cornersThatFallTogether() {
     RoundedMesh mesh = square({0, 0, 0});     // two triangles become edges
-    mesh.triangles[0].obstacleEdges = 0b010;  // from (4, 0) to the middle, which is (0, 0) now
+    mesh.triangles[0].obstacleEdges = 0b010;  // The edge goes from (4, 0) to the middle, which is (0, 0) now.
     RunContext context;
     const RoundingCases cases = repairRounding(mesh, {1, 1, 1, 1, 0}, context);
     QCOMPARE(cases.edge, 2U);
@@ -173,8 +173,8 @@ class TestRounding : public QObject {
   }
 
   void closedSliversInsideAFloorStayApart() {
-    // the same inside one floor triangle, where simplification leaves only the four corners of the sliver: rounding
-    // brings both its ends together, so the sides need points of their own in the middle
+    // the same inside one floor triangle, where simplification leaves only the four corners of the sliver: both its
+    // ends round to one place, so the sides need points of their own in the middle
     const double lean = std::nextafter(2.0, 3.0);
     const auto environment =
         environmentOf({{-20, -20, 0}, {20, -20, 0}, {0, 40, 0}, {2, 1, 0}, {2, 3, 0}, {lean, 3, 5}, {lean, 1, 5}},

@@ -13,8 +13,8 @@ using namespace footfall::test;
 
 namespace {
 
-/// What is left of a row of `count` quads of which only the vertices on one long side may go, and how often that was
-/// asked whether it is cancelled.
+/// The remainder of a row of `count` quads of which only the vertices on one long side may go, and the number of polls
+/// for cancelling.
 struct SimplifiedRow {
   std::size_t triangles = 0, polls = 0;
 };

@@ -192,7 +192,7 @@ class TestStepFilter : public QObject {
   void aLinkThatEndsInOneVertexIsATriangle() {
     const QTemporaryDir folder;
     const std::string path = folder.filePath("a.obj").toStdString();
-    // Beside a ramp: the border of the lower floor leaves the ramp's where they are equally high.
+    // The lower floor lies beside a ramp: its border leaves the ramp's where they are equally high.
     const Soup soup = Soup().floor(0, 0, 4, 2, 0).quad({0, 2, 0}, {4, 2, 0.25}, {4, 4, 0.25}, {0, 4, 0});
     const NavigationMesh mesh = linked(soup, 2, 0.5);
     QCOMPARE(mesh.links.size(), std::size_t{1});
@@ -388,7 +388,7 @@ class TestStepFilter : public QObject {
       QVERIFY2(isHigh ? links < 4 : links >= 2 * count, qPrintable(QString::number(links)));
       tests.push_back(outcome.fallbacks.total());
     }
-    // Whether a wall stands in the line is a test that doubles cannot do.
+    // Doubles cannot decide whether a wall stands in the line.
     QVERIFY2(tests[1] < 6 * tests[0], qPrintable(QString("%1, then %2").arg(tests[0]).arg(tests[1])));
   }
 };

@@ -83,7 +83,7 @@ class TestVertexNumbers : public QObject {
     }));
   }
 
-  // Triangles over few vertices, some above others: no geometry is asked for.
+  // Triangles over few vertices, some above others: no geometry is needed.
   void layers() {
     QVERIFY(check("vertices in any order, in layers", 2000, [] {
       WalkableMesh mesh;

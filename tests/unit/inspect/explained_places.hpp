@@ -42,7 +42,7 @@ inline PlaceExplanation explain(const Inspected& inspected, std::uint32_t triang
   return inspected.inspector->explain({triangle, point}, &context);
 }
 
-/// What is asked of an agent; as a pipeline of the four filters that reject.
+/// The limits of an agent, as a pipeline of the four filters that reject.
 struct Limits {
   double slope = 45, clearance = 2, area = 0;
 
@@ -141,7 +141,7 @@ inline Vec3 placeOn(const Environment& environment, std::uint32_t triangle, cons
   return place;
 }
 
-/// Whether no edge passes above or below, and the place is inside the triangle.
+/// True when no edge passes above or below, and the place is inside the triangle.
 inline bool isGeneric(const Environment& environment, std::uint32_t triangle, const Vec3& place) {
   const Point2 p{place.x, place.y};
   if (!contains(reference::planTriangle(reference::cornersOf(environment, triangle)), p)) return false;
@@ -157,7 +157,7 @@ inline bool isGeneric(const Environment& environment, std::uint32_t triangle, co
   return true;
 }
 
-/// Whether the product covers a place of a plane; empty where rounding decides.
+/// True when the product covers a place of a plane; empty when rounding decides.
 inline std::optional<bool> isCovered(const Environment& environment, const NavigationMesh& mesh, std::uint32_t triangle,
                                      const Vec3& place) {
   const Linear plane = *reference::planeThrough(reference::cornersOf(environment, triangle));

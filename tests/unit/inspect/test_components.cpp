@@ -31,7 +31,7 @@ double areaOf(const NavigationMesh& mesh, std::size_t t) {
   return area(one);
 }
 
-/// Whether every claim of `components` is true, with the parts found again by spreading marks over shared edges and
+/// True when every claim of `components` holds, with the parts found again by spreading marks over shared edges and
 /// steps.
 bool check(const NavigationMesh& mesh, const Components& components) {
   std::map<std::array<std::uint32_t, 2>, std::vector<std::size_t>> edges;
@@ -130,7 +130,7 @@ class TestComponents : public QObject {
     QVERIFY(check(mesh, components));
   }
 
-  // Areas that no double holds: infinite, and no NaN in what is told of them.
+  // Areas that no double holds: infinite, and no NaN in the reports about them.
   void beyondAllDoubles() {
     NavigationMesh mesh;
     mesh.vertices = {{0, 0, 0}, {1e300, 0, 0}, {0, 1e300, 0}, {2e300, 2e300, 0}, {3e300, 2e300, 0}, {2e300, 3e300, 0}};

@@ -62,8 +62,8 @@ class TestHeadroom : public QObject {
     const auto room = Soup().floor(0, 0, 4, 4, 0).ceiling(0, 0, 2, 4, 2.5).ramp(2, 0, 4, 4, 0, 2).environment();
     QCOMPARE(single(*room, {1, 1, 0}), 2.5);
     QCOMPARE(single(*room, {3, 1, 0}), 1.0);
-    QCOMPARE(single(*room, {3, 1, 1}), kInfinity);    // on the ramp itself
-    QCOMPARE(single(*room, {1, 1, 2.5}), kInfinity);  // on the ceiling
+    QCOMPARE(single(*room, {3, 1, 1}), kInfinity);    // The place is on the ramp itself.
+    QCOMPARE(single(*room, {1, 1, 2.5}), kInfinity);  // The place is on the ceiling.
     QCOMPARE(single(*room, {1, 1, 0}, 2.0), 2.0);
     QCOMPARE(single(*room, {9, 9, 0}), kInfinity);
     QVERIFY(headroomAt(HeadroomTree(room), {}, 2).empty());
@@ -132,7 +132,7 @@ class TestHeadroom : public QObject {
     QTest::addColumn<QString>("name");
     for (const char* name : {"nav_test", "complex"}) QTest::newRow(name) << name;
   }
-  // On the walkable area: nothing that the clearance filter left may be lower than the clearance.
+  // Places of the walkable area: none that the clearance filter left may have less headroom than the clearance.
   void realEnvironments() {
     QFETCH(QString, name);
     if (sharedEnvironments().isEmpty()) QSKIP("the real environments are not here");

@@ -53,7 +53,7 @@ class TestInspectedPlaces : public QObject {
     QVERIFY(walkable > rounds(100) && rejected > rounds(100));
   }
 
-  // On grid points, which lie on edges, corners and walls all the time: as a hair beside, towards the middle.
+  // Grid points, which lie on edges, corners and walls all the time, count as a hair beside, towards the middle.
   void randomPlacesOnEdges() {
     int compared = 0;
     QVERIFY(test::check("places on edges", 60, [&] {

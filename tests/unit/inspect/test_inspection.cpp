@@ -83,14 +83,14 @@ class TestInspection : public QObject {
   void placesOnEdgesMeanTheAreaBeside() {
     const auto room = Soup().floor(0, 0, 4, 4, 0).ceiling(2, 0, 4, 4, 1).environment();
     const Inspected run = inspect(room, Limits{}.pipeline());
-    // On the diagonal of floor and ceiling, on the outline of the ceiling's shadow, in corners.
+    // The places are on the diagonal of floor and ceiling, on the outline of the ceiling's shadow, in corners.
     QVERIFY(explain(run, 0, {3, 3, 0}).verdict == PlaceVerdict::TooLow);
     QVERIFY(explain(run, 1, {1, 1, 0}).verdict == PlaceVerdict::Walkable);
     QVERIFY(explain(run, 1, {2, 2, 0}).verdict == PlaceVerdict::Walkable);  // towards (4/3, 8/3)
     QVERIFY(explain(run, 0, {2, 1, 0}).verdict == PlaceVerdict::TooLow);    // towards (8/3, 4/3)
     QVERIFY(explain(run, 0, {0, 0, 0}).verdict == PlaceVerdict::Walkable);
     QVERIFY(explain(run, 0, {4, 0, 0}).verdict == PlaceVerdict::TooLow);
-    // Beside the triangle, as a ray's rounding puts it.
+    // The place is beside the triangle, as a ray's rounding puts it.
     QVERIFY(explain(run, 0, {4.0000000001, 2, 0}).verdict == PlaceVerdict::TooLow);
     QVERIFY(explain(run, 0, {0, 0.00001, 0.1}).verdict == PlaceVerdict::Walkable);
   }
@@ -142,7 +142,7 @@ class TestInspection : public QObject {
     QVERIFY(stepOf("") == std::nullopt);
   }
 
-  // Disabled steps keep their numbers, and those of a parallel block are told apart.
+  // Disabled steps keep their numbers, and those of a parallel block are distinguished.
   void stepsOfTheList() {
     const auto level = Soup().floor(0, 0, 4, 4, 0).ceiling(0, 0, 2, 4, 1).ramp(10, 0, 11, 1, 0, 3).environment();
     Pipeline pipeline = parsePipeline(
@@ -248,7 +248,7 @@ class TestInspection : public QObject {
     QVERIFY(below({1, 1, 3})->triangle == 2 || below({1, 1, 3})->triangle == 3);
     QVERIFY(below({1, 1, 2.9999999})->point == (Vec3{1, 1, 3}));
     QVERIFY(below({1, 1, 2.9})->point == (Vec3{1, 1, 0}));
-    QVERIFY(below({4, 4, 0})->triangle < 2);  // in a corner
+    QVERIFY(below({4, 4, 0})->triangle < 2);  // The place is in a corner.
     QVERIFY(!below({1, 1, -1}) && !below({5, 1, 9}));
   }
 

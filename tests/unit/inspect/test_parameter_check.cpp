@@ -1,4 +1,4 @@
-// What is told before a run: steps that miss risers, agents larger than the level, scales that cannot be.
+// The notes before a run: steps that miss risers, agents larger than the level, scales that cannot be.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
@@ -145,7 +145,7 @@ class TestParameterCheck : public QObject {
                      "radius below 0.4375"));
     QCOMPARE(notes("VerticalClearanceFilter 2\nRadiusFilter 0.4\n"), QString());
     QCOMPARE(notes("VerticalClearanceFilter 2\n#off RadiusFilter 0.5\n"), QString());
-    // What is told comes true.
+    // The prediction comes true.
     for (const double radius : {0.4, 0.4375}) {
       const std::string pipeline = minimalPipeline(2) + "\nRadiusFilter " + std::to_string(radius) + "\nAreaFilter 1\n";
       QCOMPARE(countParts(navigationMesh(runFilters(level, pipeline))),

@@ -1,4 +1,4 @@
-// Tile sets for Detour, asked for ways by Detour itself: it finds one exactly where the path finder does.
+// Tile sets for Detour, queried by Detour itself: it finds a way exactly where the path finder does.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <cmath>
@@ -52,7 +52,7 @@ struct Free {
   void operator()(dtNavMeshQuery* query) const { dtFreeNavMeshQuery(query); }
 };
 
-/// What reads a file as Recast's demo does.
+/// Reads a file as Recast's demo does.
 class DetourWorld {
  public:
   explicit DetourWorld(const std::string& bytes) {
@@ -166,7 +166,7 @@ class Places {
   std::mt19937 random_{7};
 };
 
-/// For each triangle its part, over common edges and links.
+/// The part of each triangle, over common edges and links.
 std::vector<std::uint32_t> partsOf(const NavigationMesh& mesh) {
   std::vector<std::uint32_t> part(mesh.triangles.size());
   for (std::uint32_t i = 0; i < part.size(); ++i) part[i] = i;
@@ -228,7 +228,7 @@ void compareWays(const Level& level, const DetourFile& file, int pairs, int sear
   if (measured == 0) return;
   // Detour goes straight through a corridor of polygons that it chose by the middles of their edges.
   QVERIFY2(theirs < 1.1 * ours, qPrintable(QString::number(theirs / ours)));
-  // What it saves is the way over gaps, which are no polygons there.
+  // Detour's way is shorter over gaps, which are no polygons there.
   QVERIFY2(shortest > 0.98, qPrintable(QString::number(shortest)));
 }
 

@@ -35,7 +35,7 @@ Contents contentsOf(const QString& folder) {
 /// `name` in a folder.
 std::string in(const TemporaryFolder& folder, const std::string& name) { return folder.path(name.c_str()); }
 
-/// What an export of the sample in one format, or a plan of it, writes.
+/// The files that an export of the sample in one format, or a plan of it, writes.
 struct Case {
   std::string ending;
   /// The bytes; throws what `poll` throws.
@@ -128,7 +128,7 @@ class TestExportFailures : public QObject {
         } catch (const Cancelled&) {
           QVERIFY2(contentsOf(place) == before, one.ending.c_str());
         }
-        if (last > 50) last += last / 2;  // of plans there are many
+        if (last > 50) last += last / 2;  // Plans have many.
       }
       QVERIFY2(polls >= 3, one.ending.c_str());
       QVERIFY2(contentsOf(place) == finished, one.ending.c_str());
@@ -148,7 +148,7 @@ class TestExportFailures : public QObject {
         QVERIFY(before.open(QIODevice::WriteOnly) && before.write("before") == 6);
       }
       const Contents before = contentsOf(place);
-      // With several files it is the largest alone that does not fit; the others must stay as well.
+      // The largest of several files alone does not fit; the others must stay as well.
       for (const std::size_t room : {largest - 1, std::size_t{1}}) {
         const SmallFiles small(room);
         const QString message = messageOf<RunError>([&] { writeFilesSafely(files); });
@@ -173,7 +173,7 @@ class TestExportFailures : public QObject {
     for (const Case& one : cases_) {
       const QString name = "level" + QString::fromStdString(one.ending);
       const QString command = one.ending == ".svg" || one.ending == ".pdf" ? "plan" : "run";
-      // What is there already takes all the room but a page for the folder itself.
+      // The existing files take all the room but a page for the folder itself.
       const auto [code, out] =
           inside("printf before > before && { head -c 8192 /dev/zero > filler; " + QString(FOOTFALL_PROGRAM) + ' ' +
                  command + ' ' + kSample + " --quiet -o " + name + " 2>&1; echo $?; ls -A; }");
@@ -190,7 +190,7 @@ class TestExportFailures : public QObject {
       const TemporaryFolder folder;
       const auto failure = [&](const std::string& path) { return messageOf<RunError>([&] { save(*mesh_, path); }); };
       QVERIFY(failure(in(folder, std::string("nowhere/a") + format.ending)).contains("folder does not exist"));
-      // Of the files of a set one alone cannot be written.
+      // One file of the set alone cannot be written.
       const std::string taken = in(folder, std::string(format.hasFilesBeside ? "a-links" : "a") + format.ending);
       QVERIFY(QDir().mkpath(QString::fromStdString(taken)));
       QVERIFY(failure(in(folder, std::string("a") + format.ending)).contains("is a folder"));

@@ -62,7 +62,7 @@ class TestFolderReader : public QObject {
              std::string("b.ffenv was left out: b.obj, of which it was packed, is in the folder, too"));
     std::filesystem::remove(original);
     QVERIFY(importEnvironment(folder.path(""))->triangles == both->triangles);
-    // Of a file with that name elsewhere.
+    // A file with that name is elsewhere.
     folder.write("b.obj", kFloor);
     std::filesystem::rename(folder.path("b.ffenv"), folder.path("a.ffenv"));
     QCOMPARE(importEnvironment(folder.path(""))->triangles.size(), both->triangles.size() + 1);

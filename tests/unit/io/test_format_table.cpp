@@ -1,4 +1,4 @@
-// The table of export formats: what a name asks for, and what is said to be lost.
+// The table of export formats: the format of a name, and the stated losses.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 

@@ -233,7 +233,8 @@ class TestGltfExport : public QObject {
     const double error = save(framed(mesh, source->frame()), folder.path("a.glb"));
     QVERIFY(error > 0 && error < 1e-5);
     const auto read = importEnvironment(folder.path("a.glb"));
-    // Over memory: with -O3, GCC 12 leaves the way to floats and back out where it takes two numbers at once.
+    // The value goes over memory: with -O3, GCC 12 leaves out the conversion to floats and back where it takes two
+    // numbers at once.
     const auto toFloat = [](double x) {
       const volatile float rounded = static_cast<float>(x);
       return static_cast<double>(rounded);

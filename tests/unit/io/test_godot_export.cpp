@@ -35,7 +35,7 @@ Level levelOf(const QString& file) {
 
 QString sampleFile(const char* name) { return QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name); }
 
-/// What is in the text, Z up again.
+/// The content of the text, Z up again.
 struct Resource {
   std::vector<Vec3> vertices;
   std::vector<std::vector<std::uint32_t>> polygons;
@@ -198,7 +198,7 @@ class TestGodotExport : public QObject {
     QCOMPARE(resource.polygons.size(), std::size_t{3});
   }
 
-  /// Its server of version 3 loads the file and is asked for ways.
+  /// Godot's server of version 3 loads the file and finds ways.
   void godotFindsTheSameWays() {
     const QString program = QStandardPaths::findExecutable("godot3-server");
     if (program.isEmpty()) QSKIP("there is no godot3-server");

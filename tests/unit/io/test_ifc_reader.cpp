@@ -59,7 +59,7 @@ class TestIfcReader : public QObject {
     const auto closed = applyPartRules(all, rulesForName(*all, "IfcDoor", PartRole::Floor, "--as-usual"));
     QCOMPARE(closed->triangles.size(), std::size_t{4});
     QVERIFY((rolesOf(*closed, {}) == all->usualRoles));
-    // What the library loads has them already.
+    // The library has them already in a loaded environment.
     const Environment loaded = load(converter.building);
     QVERIFY(loaded.triangles == usual->triangles && loaded.obstacleOnly == usual->obstacleOnly);
     QVERIFY(loaded.edit == nullptr);
@@ -126,7 +126,7 @@ class TestIfcReader : public QObject {
     };
     const std::string shared = install("shared", true);
     QVERIFY(findIfcConverter() == shared);
-    install("home", false);  // as a package has it, without web-ifc
+    install("home", false);  // The folder is that of a package, without web-ifc.
     QVERIFY(findIfcConverter() == shared);
     const std::string mine = install("home", true);
     QVERIFY(findIfcConverter() == mine);
@@ -166,7 +166,7 @@ class TestIfcReader : public QObject {
       }
     };
     mesh.layerCount = 4;
-    addSquare(-5000, 10, 0);  // below all
+    addSquare(-5000, 10, 0);  // The square is below all others.
     addSquare(-400, 10, 1);   // a floor a little under its storey's height
     addSquare(0, 10, 2);
     addSquare(3000, 10, 2);
@@ -185,14 +185,14 @@ class TestIfcReader : public QObject {
     QCOMPARE(all->metresPerUnit, 0.3048);
     QVERIFY((all->storeys == std::vector<Storey>{{"Ground floor", 0}, {"First floor", 10}}));
     QCOMPARE(all->parts.size(), std::size_t{5});  // no space, no opening
-    // What would be a comment in OBJ is none.
+    // Text that would be a comment in OBJ is none here.
     QVERIFY(std::ranges::count(all->parts, EnvironmentPart{"IfcFurniture", "Ground floor: Table No. 1"}) == 1);
     Agent agent;
     agent.height = 6 * 0.3048;
     agent.step = 0;
     // 40 x 20 feet less a wall of 17 x 0.5 and a table of 3 x 3.
     QVERIFY((areasOf(walkableArea(load(dataFile("two_rooms.ifc")), agent)) == std::vector<double>{800, 782.5}));
-    // With the door in its place there are two rooms, and its two sides in the doorway.
+    // A door in its place gives two rooms, with its two sides in the doorway.
     const std::vector<double> closed = areasOf(walkableArea(*all, agent));
     QVERIFY(closed.size() >= 3 && closed[1] < 400);
     const NavigationMesh mesh = walkableArea(load(dataFile("two_rooms.ifc")), agent);

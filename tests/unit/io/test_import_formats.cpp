@@ -125,7 +125,7 @@ class TestImportFormats : public QObject {
   void colladaKeepsItsFrameAndUnit_data() {
     QTest::addColumn<QByteArray>("axis");
     QTest::addColumn<int>("up");
-    QTest::addColumn<double>("x");  // of the corner that the file has at (5, 6, 7)
+    QTest::addColumn<double>("x");  // coordinates of the corner that the file has at (5, 6, 7)
     QTest::addColumn<double>("y");
     QTest::addColumn<double>("z");
     QTest::newRow("Z_UP") << QByteArray("Z_UP") << int(UpAxis::Z) << 5.0 << 6.0 << 7.0;
@@ -194,11 +194,11 @@ class TestImportFormats : public QObject {
         << "; ";
     QTest::newRow("ply that announces billions")
         << "a.ply" << with(ply, "element vertex 7", "element vertex 4000000000") << "truncated";
-    // found by fuzzing: Assimp asked for 20 GB, never returned, or wrote where it must not
+    // found by fuzzing: Assimp allocated 20 GB, never returned, or wrote where it must not
     QTest::newRow("ply that announces more than any number")
         << "a.ply" << with(ply, "element vertex 7", "element vertex 99999999999999999999") << "truncated";
     QByteArray longList = binaryPly();
-    longList[longList.size() - 13] = '\xEB';  // before three indices
+    longList[longList.size() - 13] = '\xEB';  // The byte stands before three indices.
     QTest::newRow("ply with a list longer than the file") << "a.ply" << longList << "truncated";
     QTest::newRow("ply with a list of negative length")
         << "a.ply" << with(longList, "list uchar", "list char") << "fewer than no entries";

@@ -153,7 +153,7 @@ class TestPackedEnvironment : public QObject {
     QCOMPARE(readFor(1), second);
     QCOMPARE(readFor(0), std::uint64_t{0});
     QCOMPARE(readFor(1), std::uint64_t{0});
-    // The one that was wanted last stays.
+    // The last request stays.
     QCOMPARE(readFor(0), std::uint64_t{0});
     packed.keepBlocks(first);
     QCOMPARE(readFor(0), std::uint64_t{0});
@@ -189,7 +189,7 @@ class TestPackedEnvironment : public QObject {
       const int at = random.bounded(i < 150 ? 200 : static_cast<int>(good.size()));
       changed[at] = static_cast<char>(changed[at] ^ (1 << random.bounded(8)));
       const std::string file = folder.write("bad.ffenv", changed);
-      // What is between the arrays counts for nothing.
+      // Bytes between the arrays count for nothing.
       if (messageOf<InputError>([&] { importEnvironment(file); }).isEmpty())
         QCOMPARE(differenceOf(*importEnvironment(path), *importEnvironment(file)), QString());
     }
@@ -251,7 +251,7 @@ class TestPackedEnvironment : public QObject {
     QByteArray first = readAll(target);
     PackedHeader header;
     std::memcpy(&header, first.constData(), sizeof header);
-    first.chop(sizeof(PackedCoarse));  // which is last
+    first.chop(sizeof(PackedCoarse));  // The coarse section is last.
     header.version = 1;
     header.fileSize = static_cast<std::uint64_t>(first.size());
     header.tableSum =
@@ -317,8 +317,8 @@ class TestPackedEnvironment : public QObject {
     const PackedEnvironment packed(target);
     const BlockArrays before = packed.block(0);
     const std::vector<std::uint32_t> faces(before.faces.begin(), before.faces.end());
-    folder.write("waves.ffenv", QByteArray(good.size(), '\xff'));  // in place
-    // What was read stays what it was, also what is read again of it, until it is given back.
+    folder.write("waves.ffenv", QByteArray(good.size(), '\xff'));  // The file is changed in place.
+    // Blocks that were read stay as they were until they are given back, also when they are read again.
     QVERIFY(std::equal(faces.begin(), faces.end(), before.faces.begin(), before.faces.end()));
     QCOMPARE(packed.block(0).faces.size(), faces.size());
     packed.forgetBlocks();

@@ -241,7 +241,7 @@ class TestPackedStreams : public QObject {
     QCOMPARE(messageOf<InputError>([&] { packEnvironment(cut, folder.path("cut.ffenv"), {}, nullptr); }), whole);
   }
 
-  // What a file says of its own size is asked for only where the file is as large.
+  // The size that a file states for itself is allocated only if the file is as large.
   void binaryGltfWithALargeNumber() {
     QByteArray bytes;
     append<std::uint32_t>(bytes, {0x46546C67, 2, 20, 0xFFFFFFF0, 0x4E4F534A});
@@ -267,7 +267,7 @@ class TestPackedStreams : public QObject {
     turned.up = UpAxis::Z;
     QCOMPARE(roundTrip(path, true, turned), QString());
     QCOMPARE(roundTrip(folder.write("lines.glb", binaryGltf("\"mode\":5,")), false), QString());
-    // Whatever is wrong is told as it was.
+    // Errors are reported as before.
     const QByteArray good = binaryGltf();
     const std::string cut = folder.write("cut.glb", good.left(good.size() - 30));
     const QString message = messageOf<InputError>([&] { importEnvironment(cut); });

@@ -136,7 +136,7 @@ std::vector<Vec3> maze(std::mt19937& random, int side) {
     open[at(x + way[0], y + way[1])] = open[at(x + 2 * way[0], y + 2 * way[1])] = true;
     path.push_back({x + 2 * way[0], y + 2 * way[1]});
   }
-  // Around it with the open cells on the left: from a corner (x, y), the cell on the left of way d.
+  // The outline is followed with the open cells on the left: from a corner (x, y), the cell on the left of way d.
   const auto isOpenAt = [&](int x, int y) { return x >= 0 && y >= 0 && x < width && y < width && open[at(x, y)]; };
   const auto leftOf = [&](int x, int y, int d) {
     return isOpenAt(x - (d == 1 || d == 2 ? 1 : 0), y - (d == 2 || d == 3 ? 1 : 0));
@@ -162,11 +162,11 @@ std::vector<Vec3> holes(int n) {
   for (int row = n - 1; row >= 0; --row) {
     const double y = 3.0 * row + 1;
     polygon.push_back({0, y, 0});
-    for (int i = 0; i < n; ++i) {  // on the way out over the left, upper and right side of each
+    for (int i = 0; i < n; ++i) {  // The way out goes over the left, upper and right side of each.
       const double x = 3.0 * i + 1;
       for (const auto& [dx, dy] : {std::pair{0, 0}, {0, 1}, {1, 1}, {1, 0}}) polygon.push_back({x + dx, y + dy, 0});
     }
-    for (int i = n - 1; i >= 0; --i) {  // on the way back over the lower one
+    for (int i = n - 1; i >= 0; --i) {  // The way back goes over the lower one.
       const double x = 3.0 * i + 1;
       if (i + 1 < n) polygon.push_back({x + 1, y, 0});
       polygon.push_back({x, y, 0});

@@ -1,4 +1,4 @@
-// What a command or the editor writes never replaces what it has read, whatever name leads there.
+// Output of a command or the editor never replaces its input, whatever name leads there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 
@@ -59,7 +59,7 @@ class TestWriteTargets : public QObject {
       QVERIFY2(sameFile(name, level), name.c_str());
       QVERIFY2(sameFile(level, name), name.c_str());
     }
-    // As the disk has it: here, this is another file.
+    // Names are compared as on the disk: here, this is another file.
     if (!std::filesystem::exists("LEVEL.OBJ")) QVERIFY(!sameFile("LEVEL.OBJ", level));
     folder.write("other.obj", "v 0 0 0\n");
     QVERIFY(!sameFile("other.obj", level));
@@ -115,7 +115,7 @@ class TestWriteTargets : public QObject {
     const std::string again = folder.path("./a.json");
     QCOMPARE(messageOf<InputError>([&] { targets.add(again, FOOTFALL_TEXT("the timeline")); }),
              QString::fromStdString(again) + ": cannot hold both the statistics and the timeline; give two files");
-    // What cannot be written is told before anything is computed.
+    // An unwritable target is reported before anything is computed.
     QVERIFY(messageOf<RunError>([&] {
               targets.add(folder.path("none/a.html"), FOOTFALL_TEXT("the report"));
             }).contains("its folder does not exist"));

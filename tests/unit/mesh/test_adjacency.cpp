@@ -87,7 +87,7 @@ class TestAdjacency : public QObject {
   void edgesAndParts_data() {
     QTest::addColumn<int>("triangles");
     QTest::addColumn<int>("vertices");
-    // Below and above the sizes from which several tasks share the work.
+    // The sizes are below and above those from which several tasks share the work.
     for (const auto& [triangles, vertices] : std::vector<std::pair<int, int>>{
              {0, 1}, {1, 1}, {1, 3}, {9, 2}, {50, 8}, {300, 400}, {6000, 50}, {9000, 20000}})
       QTest::addRow("%d triangles, %d vertices", triangles, vertices) << triangles << vertices;

@@ -181,7 +181,7 @@ class TestPlanOutline : public QObject {
   // Surfaces of one part that lie side by side without being joined, their vertices on each other's edges.
   void edgesThatOverlap() {
     NavigationMesh mesh = gridMesh({"##"});
-    // Above the upper border of both squares, a single rectangle over it at another height, linked by one step.
+    // A single rectangle lies above the upper border of both squares, at another height, linked by one step.
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
     for (const Vec3& p : {Vec3{0.5, 1, 3}, Vec3{1.5, 1, 3}, Vec3{1.5, 2, 3}, Vec3{0.5, 2, 3}})
       mesh.vertices.push_back(p);

@@ -32,8 +32,8 @@ Vec3 between(const std::array<Vec3, 2>& ends, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
 }
 
-/// The shortest way over drops at `count` places of each, by asking for the path between each two of them: no shorter
-/// than the shortest way there is. Infinite when there is none.
+/// The shortest way over drops at `count` places of each, from the paths between each two of them: no shorter than the
+/// shortest way there is. Infinite when there is none.
 double lengthOverPlaces(const PathFinder& finder, const Vec3& from, const Vec3& to, int count) {
   const NavigationMesh& mesh = finder.mesh();
   const SurfaceTopology topology = makeSurfaceTopology(mesh);
@@ -90,7 +90,7 @@ Vec3 middleOf(const NavigationMesh& mesh, std::size_t triangle) {
   return p;
 }
 
-/// Whether each drop of a path begins on a stretch of the mesh's drops.
+/// True when each drop of a path begins on a stretch of the mesh's drops.
 bool startsOnDrops(const NavigationMesh& mesh, const PathResult& path, double tolerance) {
   return std::ranges::all_of(path.drops, [&](std::size_t piece) {
     const Vec3& p = path.points[piece];
@@ -141,7 +141,7 @@ class TestDropPaths : public QObject {
     const PathResult path = finder.find(from, to);
     QVERIFY(path.reached());
     QCOMPARE(path.drops.size(), std::size_t{1});
-    // Round the end of the wall, straight from the start.
+    // The way goes round the end of the wall, straight from the start.
     const double expected = planDistance(from, {5.5, 0.25, 0}) + planDistance({5.5, 0.25, 0}, to);
     QVERIFY2(std::fabs(path.planLength - expected) < 1e-6, qPrintable(QString::number(path.planLength, 'g', 17)));
     QVERIFY(path.leastPlanLength <= path.planLength && path.leastPlanLength * 1.01 >= path.planLength);

@@ -150,7 +150,7 @@ class TestPathFinder : public QObject {
     QCOMPARE(path.planLength, 2 * std::hypot(1, 3));
     QCOMPARE(path.bends.size(), 1U);
     QCOMPARE(path.points[path.bends[0]], (Vec3{2, 3, 0}));
-    // A place on the wall itself belongs to one of its sides, the same one whoever asks.
+    // A place on the wall itself belongs to one of its sides, the same one in every call.
     const PathResult onWall = finder.find({2, 1, 0}, {1, 1, 0});
     const PathResult back = finder.find({1, 1, 0}, {2, 1, 0});
     QCOMPARE(onWall.planLength, back.planLength);
@@ -179,7 +179,7 @@ class TestPathFinder : public QObject {
     QCOMPARE(target.status, PathStatus::TargetNotWalkable);
     QCOMPARE(target.points.back(), (Vec3{1, 4, 0}));
     QCOMPARE(target.planLength, 3.0);
-    // Above the floor by more than reach.
+    // The place is above the floor by more than reach.
     QCOMPARE(finder.find({1, 1, 1.5}, {2, 2, 0}, 1.5).status, PathStatus::Found);
     QCOMPARE(finder.find({1, 1, 1.5}, {2, 2, 0}, 1.25).status, PathStatus::StartNotWalkable);
   }

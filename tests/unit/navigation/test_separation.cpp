@@ -1,4 +1,5 @@
-// What keeps two parts apart: hand-made places with their answers, and all pairs of borders looked at one by one.
+// The reason why two parts are apart: hand-made places with their answers, and all pairs of borders looked at one by
+// one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
 #include <QtTest>
@@ -51,7 +52,7 @@ struct Level {
 
   [[nodiscard]] const SurfaceTopology& topology() const { return finder.inside()->topology; }
 
-  /// Between two parts.
+  /// The answer for two parts.
   [[nodiscard]] std::optional<Separation> between(std::uint32_t from, std::uint32_t to,
                                                   const RunContext* context = nullptr) const {
     const auto triangleOf = [this](std::uint32_t part) {
@@ -167,7 +168,7 @@ class TestSeparation : public QObject {
     QTest::newRow("wall of two panels") << "a wall; the parts are 0.25 apart" << 1;
   }
 
-  /// From (1, 1) to (7, 1), whatever the height.
+  /// The way goes from (1, 1) to (7, 1), whatever the height.
   void saysWhatIsInTheWay() {
     QFETCH(QString, expected);
     QFETCH(int, links);
@@ -278,7 +279,7 @@ class TestSeparation : public QObject {
     QTest::newRow("wall") << "an obstacle edge: a wall without thickness" << 0.0;
   }
 
-  /// From (1, 1) to (7, 1), whatever the height, for an agent who climbs 0.375.
+  /// The way goes from (1, 1) to (7, 1), whatever the height, for an agent who climbs 0.375.
   void saysWhatIsMissing() {
     QFETCH(QString, expected);
     QFETCH(double, excess);
@@ -305,7 +306,7 @@ class TestSeparation : public QObject {
     QCOMPARE(barrier.excess, excess);
     QCOMPARE(path.separation->step, 0.375);
     QVERIFY(path.separation->others.empty());
-    // What stands there is named: of the two triangles of a wall that of its middle, both or one.
+    // The obstacle is named: of the two triangles of a wall that of its middle, both or one.
     const bool isEmpty = name.contains("gap") || name == "noise";
     QCOMPARE(barrier.triangles.empty(), isEmpty);
     for (const std::uint32_t t : barrier.triangles)
@@ -355,7 +356,7 @@ class TestSeparation : public QObject {
     QCOMPARE(path.separation->barrier().from.z, 0.5);
   }
 
-  /// Who climbs higher never lacks more.
+  /// An agent that climbs higher never has a larger excess.
   void higherStepsNeverLackMore() {
     Random random(1147);
     const auto at = [&](int count) { return static_cast<double>(random() % static_cast<unsigned>(count)); };

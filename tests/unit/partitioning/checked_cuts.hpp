@@ -237,7 +237,7 @@ inline std::string checkSoup(const Soup& soup, std::uint64_t seed, int cuts) {
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
   std::shuffle(order.begin(), order.end(), random);
   const CutEnvironment shuffled = cutEnvironment(meshOf(soup, order), partition, {}, false);
-  // where a triangle with a repeated corner starts, depends on where it started
+  // The start of a triangle with a repeated corner depends on where it started.
   const bool repeats = std::any_of(mesh.triangles.begin(), mesh.triangles.end(),
                                    [](const auto& f) { return f[0] == f[1] || f[1] == f[2] || f[2] == f[0]; });
   if (!repeats && (shuffled.vertices != cut.vertices || shuffled.triangles != cut.triangles))

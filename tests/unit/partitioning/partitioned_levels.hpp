@@ -98,7 +98,7 @@ inline bool isInside(const CellBounds& bounds, double x, double y, double z) {
          bounds.lower[2] <= z && z < bounds.upper[2];
 }
 
-// What must hold for any partition.
+// True when everything holds that must hold for any partition.
 inline bool isSound(const Partition& partition) {
   if (partition.cells.empty() || partition.nodes.size() + 1 != partition.cells.size()) return false;
   std::array<std::vector<double>, 3> at;  // every coordinate, and places beside it

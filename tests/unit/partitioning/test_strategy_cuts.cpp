@@ -145,7 +145,7 @@ class TestStrategyCuts : public QObject {
     for (int axis = 0; axis < 2; ++axis)
       for (const double border : partition.borders[axis]) QVERIFY(border > 10 && border < 90);
     QVERIFY(areFloorsListed(given, partition));
-    // Without a clearance every floor is the same work.
+    // Every floor is the same work without a clearance.
     Case plain(soup);
     plain.clearance = 0;
     const Partition flat = plain.partition(FilterType::HeightAwareStrategy, {20, 3, 0});

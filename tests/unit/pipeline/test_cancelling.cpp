@@ -24,7 +24,8 @@ using namespace std::chrono_literals;
 /// Tells which thread took it down.
 class Witness {
  public:
-  using Told = std::shared_ptr<std::promise<std::thread::id>>;  // alive until it has told, whoever waits for it
+  using Told = std::shared_ptr<std::promise<std::thread::id>>;  // Stays alive until it has reported, however long
+                                                                // others wait for it.
 
   explicit Witness(Told gone) : gone_(std::move(gone)) {}
   ~Witness() { gone_->set_value(std::this_thread::get_id()); }
@@ -35,7 +36,7 @@ class Witness {
   Told gone_;
 };
 
-// Where something is freed that an exception passes, or that nothing interrupts.
+// The thread that frees something after an exception passed, or after an uninterrupted end.
 std::thread::id whereFreed(bool isLarge, bool throws) {
   const auto gone = std::make_shared<std::promise<std::thread::id>>();
   auto result = gone->get_future();
@@ -110,8 +111,8 @@ void TestCancelling::eachStepOfALargeRun_data() {
   for (int step = 0; step < 8; ++step) QTest::addRow("step %d", step + 1) << step;
 }
 
-// Whether it is told when a step starts or in its middle, the caller hears of it, and the environment,
-// which everything that a run makes holds, is free again soon.
+// The caller gets Cancelled both when a step starts and in its middle, and the environment, which all results of a run
+// refer to, is soon free again.
 void TestCancelling::eachStepOfALargeRun() {
   QFETCH(int, step);
   auto environment = makeLargeEnvironment();
@@ -134,13 +135,13 @@ void TestCancelling::eachStepOfALargeRun() {
       cancelled = true;
     }
     QCOMPARE(cancelled, told.load());
-    QVERIFY(told || kind == RunEvent::Kind::Progress);  // quick steps tell nothing in between
+    QVERIFY(told || kind == RunEvent::Kind::Progress);  // Quick steps report nothing in between.
     QTRY_COMPARE_WITH_TIMEOUT(environment.use_count(), 1L, 10000);
   }
 }
 
-// Between two borders that steps link, the vertices of the links stay and those of the far borders go: one group of
-// triangles, and so one task, as long as the level.
+// The vertices of links stay between two linked borders, and those of the far borders go: one group of triangles, and
+// so one task, as long as the level.
 void TestCancelling::bordersAsLongAsTheLevel() {
   constexpr int kTreads = 16000;
   auto environment = std::make_shared<Environment>();

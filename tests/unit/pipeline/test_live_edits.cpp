@@ -67,8 +67,8 @@ class TestLiveEdits : public QObject {
     }));
   }
 
-  // The same where obstacles lie many deep above floors: floors are told to be covered without a look at all that
-  // stands above them, and open again when something goes.
+  // The same with many obstacles above one another over floors: floors count as covered without a look at all obstacles
+  // above them, and open again when something goes.
   void obstaclesInCrowds() {
     for (const std::string pipeline : {"SlopeFilter 45\nVerticalClearanceFilter 2\n",
                                        "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\n",
@@ -143,7 +143,7 @@ class TestLiveEdits : public QObject {
     }));
   }
 
-  // Of two floors in one plane the first one stays, while it is a floor: what is cut out of the other depends on it.
+  // The first of two floors in one plane stays, while it is a floor: the cuts of the other depend on it.
   void floorsInOnePlane() {
     const auto level = Soup().floor(1, 1, 2, 2, 0).floor(0, 0, 4, 4, 0).floor(0, 0, 4, 1.5, 0).environment();
     ResultCache cache;

@@ -39,7 +39,7 @@ std::string withoutBlocks(const std::string& pipeline) {
   return formatPipeline(filters);
 }
 
-/// What differs between a run with blocks and the same without; empty when nothing does.
+/// The difference between a run with blocks and the same without; empty when there is none.
 std::string difference(const EnvironmentPtr& environment, const std::string& pipeline, int threads) {
   const RunResult sequential = run(environment, withoutBlocks(pipeline), 1);
   const RunResult parallel = run(environment, pipeline, threads);
@@ -263,7 +263,7 @@ class TestParallelBlocks : public QObject {
     const RunTimes& t = result.times;
     QCOMPARE(t.total, result.totalMs);
     QVERIFY(t.partitioning > 0 && t.parallel > 0 && t.merging > 0 && t.postprocessing > 0 && t.overhead > 0);
-    // On one lane nothing overlaps.
+    // Bars on one lane do not overlap.
     for (int thread = 0; thread < 2; ++thread) {
       std::vector<std::pair<double, double>> lane;
       for (const CellReport& cell : block.cells)
@@ -274,7 +274,7 @@ class TestParallelBlocks : public QObject {
     }
   }
 
-  // What a filter rejected is no floor for the next pass over the cells, and a report is about all passes.
+  // Rejected triangles are no floors for the next pass over the cells, and a report is about all passes.
   void reportsOfSeveralPasses() {
     Soup soup;
     for (int i = 0; i < 8; ++i)
@@ -294,7 +294,7 @@ class TestParallelBlocks : public QObject {
     QVERIFY(filters <= result.times.parallel * (1 + 1e-9));
   }
 
-  // Which cell is the last one on a shared floor differs from run to run; what is reported does not.
+  // The last cell on a shared floor differs from run to run; the reports do not.
   void reportedTrianglesOfCellsAreTheSame() {
     Soup soup;
     soup.floor(0, 0, 30, 30, 0);
@@ -342,7 +342,7 @@ class TestParallelBlocks : public QObject {
     for (int i = 0; i < 100; ++i)
       for (int j = 0; j < 100; ++j) soup.wall(i + 0.1, j + 0.2, i + 0.7, j + 0.2 + 0.5 * ((i + j) % 2), 0, 1);
     for (const char* strategy : {"AutoStrategy", "GridStrategy 4 4"}) {
-      bool isShared = false;  // on a busy machine other threads may come too late
+      bool isShared = false;  // Other threads may come too late on a busy machine.
       for (int tries = 0; tries < 50 && !isShared; ++tries) {
         const RunResult result =
             run(soup.environment(), std::string(strategy) + "\nVerticalClearanceFilter 2\nCollapse\n", 4);
@@ -407,7 +407,7 @@ class TestParallelBlocks : public QObject {
     QVERIFY(again.blocks.empty());
     QVERIFY(again.steps[3].fromCache && !again.steps[4].fromCache);
     QVERIFY(again.times.postprocessing > 0 && again.times.preprocessing == 0);
-    // Another clearance takes over what the block knows, and still gives the same bytes.
+    // Another clearance reuses the data of the block, and still gives the same bytes.
     const std::string higher = "GridStrategy 3 3\nSlopeFilter 45\nVerticalClearanceFilter 2.5\nCollapse\n";
     QCOMPARE(bytes(run(environment, higher, 2, &cache)), bytes(run(environment, withoutBlocks(higher), 1)));
   }

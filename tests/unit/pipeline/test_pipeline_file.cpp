@@ -269,7 +269,7 @@ void TestPipelineFile::anyTextIsReadOrRefused() {
 }
 
 void TestPipelineFile::localeDoesNotMatter() {
-  // Where the decimal mark is a comma; "C" stays where the system has no such locale.
+  // Locales whose decimal mark is a comma; "C" stays if the system has no such locale.
   for (const char* name : {"de_DE.UTF-8", "fr_FR.UTF-8", "nl_NL.UTF-8"}) {
     if (std::setlocale(LC_ALL, name) != nullptr) break;
   }

@@ -201,7 +201,7 @@ void TestRunner::onlyTheLastStepRunsAgain() {
   runPipeline(environment, pipelineOf(beginning + "AreaFilter 1"), context, &cache);
   const RunResult changed = runPipeline(environment, pipelineOf(beginning + "AreaFilter 50"), context, &cache);
   QCOMPARE(fromCache(changed), (std::vector<bool>{true, true, true, false}));
-  QCOMPARE(changed.summary.area, 96.0);  // without the board itself
+  QCOMPARE(changed.summary.area, 96.0);  // area without the board itself
   const RunResult back = runPipeline(environment, pipelineOf(beginning + "AreaFilter 1"), context, &cache);
   QCOMPARE(fromCache(back), (std::vector<bool>{true, true, true, true}));
   QCOMPARE(back.summary.area, 100.0);

@@ -1,4 +1,4 @@
-// From an agent in metres to its pipeline, and from a file to a file in three lines.
+// The pipeline of an agent in metres, and from a file to a file in three lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
@@ -106,7 +106,7 @@ class TestWalkableArea : public QObject {
     };
     QVERIFY(pipelineFor(withScale(1), {.drop = 0}) == defaultPipeline(withScale(1)));
     QCOMPARE(dropStep(0.5, {.drop = 3}), std::string("DropFilter 6 0.6"));
-    // Over both margins, where that is farther than the default.
+    // The reach goes over both margins, if that is farther than the default.
     QCOMPARE(dropStep(1, {.radius = 0.125, .drop = 3}), std::string("DropFilter 3"));
     QCOMPARE(dropStep(1, {.radius = 0.5, .drop = 3}), std::string("DropFilter 3 1.05"));
     for (const double drop : {-0.1, kNaN, kInfinity}) {
@@ -140,7 +140,7 @@ class TestWalkableArea : public QObject {
     QCOMPARE(message({.minimumArea = 0}), std::string("no error"));
     for (const double step : {-0.1, kNaN, kInfinity}) QVERIFY(message({.step = step}).starts_with("agent: step"));
     QCOMPARE(message({.step = 0}), std::string("no error"));
-    // In range in metres, and above all doubles in units.
+    // The value is in range in metres, and above all doubles in units.
     QVERIFY(messageOf([] { (void)pipelineFor(withScale(1e-200), {.height = 1e200}); }).starts_with("agent, in the"));
   }
 
@@ -175,7 +175,7 @@ class TestWalkableArea : public QObject {
       const Environment back = load(folder.path(name));
       QCOMPARE(back.triangles.size(), mesh.triangles.size() + facesOf(mesh.links));
       QCOMPARE(back.up, level.up);
-      // In the frame of the source: the box around it is that of the mesh.
+      // The frame is that of the source: the box around it is that of the mesh.
       for (std::size_t v = 0; v < back.vertices.size(); ++v) {
         const Vec3& p = back.vertices[v];
         const auto near = [&](const Vec3& q) { return std::hypot(p.x - q.x, p.y - q.y, p.z - q.z) <= 3 * error; };

@@ -1,4 +1,4 @@
-// The report as one HTML file: what it tells, that everything is inside, and that no text can break it.
+// The report as one HTML file: its content, that everything is inside, and that no text can break it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QXmlStreamReader>
 #include <QtTest>
@@ -17,7 +17,7 @@ using namespace footfall::test;
 
 namespace {
 
-/// What is wrong with it as a document that holds everything itself; empty when nothing is.
+/// The first error of it as a document that holds everything itself; empty when there is none.
 QString findError(const std::string& html) {
   QXmlStreamReader reader(QByteArray::fromStdString(html));
   QStringList open;

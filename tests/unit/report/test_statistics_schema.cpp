@@ -1,4 +1,4 @@
-// What `--stats` writes is what docs/reference/statistics.schema.json says, no more and no less.
+// The output of `--stats` matches docs/reference/statistics.schema.json, no more and no less.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <fstream>

@@ -66,7 +66,7 @@ class TestHandmade : public QObject {
     expect(room().ceiling(1, 1, 3, 3, std::nextafter(2, 3)), {.planArea = 16});
   }
   void slopingCeilingCutsAtTheClearance() {
-    // From 0 at x = 0 to 4 at x = 4: lower than 2 up to x = 2.
+    // The ramp rises from 0 at x = 0 to 4 at x = 4: lower than 2 up to x = 2.
     expect(room().quad({0, 0, 0}, {0, 4, 0}, {4, 4, 4}, {4, 0, 4}), {.planArea = 8});
   }
   void boxOnTheFloor() { expect(room().box({1, 1, 0}, {2, 3, 1}), {.planArea = 16, .parts = 2}); }
@@ -174,14 +174,15 @@ class TestHandmade : public QObject {
     // Rises from (1, 1) - (1, 1.5) to 3 at x = 4; the floor below it is lost where it is lower than 2, up to x = 3.
     const Soup soup = Soup().floor(0, 0, 8, 8, 0).ramp(4, 1, 7, 1.5, 0, 3);
     expect(soup, {.planArea = Rational(64) - 1 + Rational(3, 2)});
-    // Without the join at its foot it would be a part of its own.
+    // The ramp would be a part of its own without the join at its foot.
     expect(Soup(soup).wall(4, 1, 4, 1.5, 0, 1),
            {.planArea = Rational(64) - 1 + Rational(3, 2), .parts = 2, .obstacleLength = 0.5});
   }
   void rampThatPiercesAFloor() {
-    // From -2 at x = 0 to 2 at x = 4, through the floor at x = 2; all of the floor behind that is too low.
+    // The ramp rises from -2 at x = 0 to 2 at x = 4, through the floor at x = 2; all of the floor behind that is too
+    // low.
     expect(room().ramp(0, 1, 4, 2, -2, 2), {.planArea = Rational(16) - 2 + 2});
-    // With a wall there: the floor before it, the two sides behind it, the ramp.
+    // A wall stands there: the floor before it, the two sides behind it, the ramp.
     expect(room().ramp(0, 1, 4, 2, -2, 2).wall(2, 0, 2, 4, 0, 1), {.planArea = 16, .parts = 4, .obstacleLength = 4});
   }
   void pavementThatEndsOnTheGround() {

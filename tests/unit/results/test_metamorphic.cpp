@@ -1,4 +1,5 @@
-// What must not change, or only so, when the input is moved, scaled, turned or put in another order.
+// The properties that must not change, or only as stated, when the input is moved, scaled, turned or put in another
+// order.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 
@@ -22,7 +23,7 @@ using namespace footfall::reference;
 
 namespace {
 
-/// What is compared: exact plan areas (twice) by input triangle, and of all; parts; obstacle edges; layers.
+/// The compared measures: exact plan areas (twice) by input triangle, and of all; parts; obstacle edges; layers.
 struct Measures {
   std::map<std::uint32_t, Rational> areas;
   Rational area;

@@ -53,7 +53,7 @@ void writeEnvironment(const std::string& path, const Environment& environment) {
   writeFileSafely(path, text);
 }
 
-/// As far as doubles tell: only used to choose which joins are cut open.
+/// Decided by doubles: only used to choose which joins are cut open.
 bool isCoplanar(const Environment& environment, std::uint32_t a, std::uint32_t b) {
   const auto corner = [&](std::uint32_t t, std::size_t k) { return environment.vertices[environment.triangles[t][k]]; };
   const auto minus = [](const Vec3& p, const Vec3& q) { return Vec3{p.x - q.x, p.y - q.y, p.z - q.z}; };
@@ -83,7 +83,7 @@ NavigationMesh withoutContacts(const NavigationMesh& mesh, const Environment& en
         common += environment.vertices[v] == environment.vertices[w];
     return common < 2 && !isCoplanar(environment, mesh.sourceTriangles[a], mesh.sourceTriangles[b]);
   };
-  std::map<std::array<std::uint32_t, 2>, Corner> first;  // by directed edge
+  std::map<std::array<std::uint32_t, 2>, Corner> first;  // keyed by directed edge
   for (Corner c = 0; c < parents.size(); ++c) {
     const Corner next = c / 3 * 3 + (c + 1) % 3;
     first[{mesh.triangles[c / 3][c % 3], mesh.triangles[c / 3][next % 3]}] = c;
@@ -107,14 +107,14 @@ NavigationMesh withoutContacts(const NavigationMesh& mesh, const Environment& en
   return result;
 }
 
-/// To map coordinates; moving rounds them, and what comes out is the environment that both sides get.
+/// Moves to map coordinates, which rounds them; the result is the environment that both sides get.
 std::shared_ptr<const Environment> movedFarAway(const Environment& environment) {
   auto moved = std::make_shared<Environment>(environment);
   for (Vec3& v : moved->vertices) v = {v.x + 122000.123, v.y + 487000.456, v.z};
   return moved;
 }
 
-/// What the oracle takes for an environment where it was made.
+/// The oracle's tolerance for an environment where it was made.
 double usualTolerance(const Environment& environment) {
   double largest = 1;
   for (const Vec3& v : environment.vertices) largest = std::max({largest, std::abs(v.x), std::abs(v.y), std::abs(v.z)});
@@ -125,7 +125,7 @@ double usualTolerance(const Environment& environment) {
 struct Verdict {
   bool agrees = false;
   QByteArray output;
-  /// Where it found edges that meet and are not joined (it shows the first five).
+  /// The places where it found edges that meet and are not joined (it shows the first five).
   [[nodiscard]] std::set<QByteArray> unjoinedPlaces() const {
     std::set<QByteArray> places;
     for (const QByteArray& line : output.split('\n'))

@@ -54,7 +54,7 @@ class TestRandomSoups : public QObject {
         << 1.4;
   }
 
-  void foundBefore() {  // what the suites below once found, shrunk
+  void foundBefore() {  // Cases that the suites below once found, shrunk.
     QFETCH(Soup, soup);
     QFETCH(double, clearance);
     const std::string error = checkProduct(*soup.environment(), 80, clearance, Rounding::MayClose);

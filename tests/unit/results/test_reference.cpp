@@ -45,7 +45,7 @@ class TestReference : public QObject {
     QCOMPARE(cleaned({{0, 0}, {1, 0}, {2, 0}, {0, 1}}).size(), std::size_t{3});
   }
 
-  // Where doubles cannot tell, and where they cannot even hold the numbers.
+  // Turns that doubles cannot decide, and numbers that they cannot even hold.
   void turns() {
     const auto number = [](const char* text) { return Rational(text); };
     const Rational third(1, 3), tiny = number("1/1000000000000000000000000000000000000000000000000000000000000"),

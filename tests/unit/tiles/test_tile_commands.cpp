@@ -77,7 +77,7 @@ void TestTileCommands::everyFormatHasTheSameBytes() {
   QCOMPARE(runProgram({"join", usual, "--quiet", "-o", usual + ".obj"}).exitCode, 0);
   QCOMPARE(runProgram({"run", packed, "--quiet", "-o", usual + "-whole.obj"}).exitCode, 0);
   QCOMPARE(contentOf(usual + ".obj"), contentOf(usual + "-whole.obj"));
-  // From the original, which is packed for the run alone, and with options of the export.
+  // The run is from the original, which is packed for the run alone, and with options of the export.
   const QString again = folder.filePath("again"), first = folder.filePath("1.obj"), second = folder.filePath("2.obj");
   QCOMPARE(
       runProgram(QStringList{"run", sample("house"), "--memory", "1G", "--quiet", "-o", again} + kPipeline).exitCode,
@@ -180,7 +180,7 @@ void TestTileCommands::slicesOfOtherSidesAreNotJoined() {
 
 void TestTileCommands::slicesAreJoined() {
   const QTemporaryDir folder;
-  const QStringList local = kPipeline.first(4);  // without the area
+  const QStringList local = kPipeline.first(4);  // the filters without the area
   const auto named = [&](const char* name) { return folder.filePath(name); };
   for (const char* slice : {"1", "2", "3"})
     QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--memory", "1G", "--slice", QString(slice) + "/3",
@@ -229,7 +229,7 @@ void TestTileCommands::stepsAreLinked() {
   }
   QCOMPARE(runProgram(QStringList{"join"} + parts + QStringList{"--quiet", "-o", named("joined.obj")}).exitCode, 0);
   QCOMPARE(contentOf(named("joined.obj")), contentOf(named("whole.obj")));
-  // As many as in memory, each once; with gaps.
+  // The links are as many as in memory, each once; with gaps.
   const QStringList area = kPipeline.first(4) + QStringList{"--filter", "StepFilter 0.4", "--filter", "AreaFilter 1"};
   QCOMPARE(runProgram(QStringList{"run", sample("villa"), "--quiet", "--stats", named("whole.json"), "-o",
                                   named("again.obj")} +
@@ -246,7 +246,7 @@ void TestTileCommands::stepsAreLinked() {
   QVERIFY(tiles["count"].toInteger() > 1);
   QVERIFY(whole["links"].toInteger() > 0);
   QCOMPARE(tiles["links"].toInteger(), whole["links"].toInteger());
-  // What is connected is told when tiles are joined.
+  // Connected parts are reported when tiles are joined.
   const Outcome outcome =
       runProgram({"join", named("tiles"), "-o", named("told.obj"), "--stats", named("joined.json")});
   QVERIFY2(outcome.out.contains(" steps between borders, ") && outcome.out.contains(" gaps between borders, "),
@@ -281,7 +281,7 @@ void TestTileCommands::whatCannotBeIsRefused() {
   QCOMPARE(refused(QStringList{"run", house, "--memory", "1M", "-o", tiles} + kPipeline,
                    "a memory of 1 MB is too little; give "),
            QByteArray());
-  // Before anything is packed: these files are not there.
+  // The error comes before anything is packed: these files do not exist.
   const QStringList missing{"run", folder.filePath("missing.obj"), "-o", tiles, "--memory"};
   QCOMPARE(refused(missing + QStringList{"1M"} + kPipeline, "a memory of 1 MB is too little; give "), QByteArray());
   QCOMPARE(refused(missing + QStringList{"1G", "--slice", "1/2"} + kPipeline, "AreaFilter sees over the borders"),
@@ -299,7 +299,7 @@ void TestTileCommands::whatCannotBeIsRefused() {
   QCOMPARE(entriesOf(tiles), QStringList{"mine.txt"});
 }
 
-// Where another run is at work, where somebody has a file of the same name, and where the environment lies.
+// The folder is one where another run is at work, where a file has the same name, or where the environment lies.
 void TestTileCommands::nothingOfOthersIsTouched() {
   const QTemporaryDir folder;
   const QString target = folder.filePath("tiles");

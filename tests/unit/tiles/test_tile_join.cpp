@@ -102,9 +102,8 @@ void TestTileJoin::environments() {
 }
 
 void TestTileJoin::areasNearTheMinimum() {
-  // The sum of six roots lies between two doubles, nearer to both than sums of doubles can tell; each triangle is a
-  // tile.
-  // The same with a gap between both halves.
+  // The sum of six roots lies between two doubles, nearer to both than sums of doubles resolve; each triangle is a
+  // tile. The same with a gap between both halves.
   Soup ramps, halves;
   double height = 0;
   for (int i = 0; i < 6; ++i) {
@@ -121,7 +120,7 @@ void TestTileJoin::areasNearTheMinimum() {
 }
 
 void TestTileJoin::obstaclesPartRegions() {
-  // Over a wall of another tile, and beside one.
+  // The link is over a wall of another tile, and beside one.
   const Soup room = Soup().floor(0, 0, 1, 4, 0).floor(1, 0, 4, 4, 0).wall(1, 0, 1, 4, 0, 1);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 3\n", 4);
   expectKept(room, "SlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 4\n", 2);
@@ -139,7 +138,7 @@ void TestTileJoin::stepsUniteRegions() {
 }
 
 void TestTileJoin::stepsComeAfterAreas() {
-  // What lies between the others goes before, and nothing is linked, or nothing goes.
+  // The floor between the others goes first, and nothing is linked, or nothing goes.
   const Soup stairs = Soup().floor(0, 0, 2, 2, 0).floor(2, 0, 3, 1, 0.25).floor(3, 0, 5, 2, 0.5).floor(2, 1, 3, 2, 9);
   const std::string walkable = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
   expectKept(stairs, walkable + "AreaFilter 2\nStepFilter 0.25 0\n", 4);
@@ -223,7 +222,7 @@ void TestTileJoin::aBoundThatIsTooLittleSaysWhatItNeeds() {
   std::uint64_t megabytes = 1;
   QString message = refused(megabytes);
   QVERIFY2(message.contains("a memory of 1 MB is too little; give "), qPrintable(message));
-  // What it says is enough, or the next one says more.
+  // The suggested bound is enough, or the next one is larger.
   for (int i = 0; i < 20 && !message.isEmpty(); ++i) {
     const std::uint64_t more = message.section("give ", 1).section(" MB", 0, 0).toULongLong();
     QVERIFY(more > megabytes);

@@ -35,7 +35,7 @@ Files filesIn(const std::string& folder) {
   return files;
 }
 
-/// What ranks leave in a folder of its own. Each opens the file itself, as processes do.
+/// The files that ranks leave in a folder of its own. Each opens the file itself, as processes do.
 Files filesOfRanks(const std::string& environment, const std::string& pipeline, const std::string& folder, int ranks,
                    const TileRunOptions& options, TileRunResult* result = nullptr) {
   std::filesystem::create_directory(folder);
@@ -181,7 +181,7 @@ void TestTileRanks::aRankThatFailsLeavesNothing() {
 void TestTileRanks::aRunThatWasKilledGoesOn_data() {
   QTest::addColumn<int>("steps");
   QTest::addColumn<int>("pipeline");
-  // In the cells, in those that run once more, and behind all of them.
+  // Cancels in the cells, in those that run once more, and behind all of them.
   for (const int steps : {6, 20, 40, 74}) QTest::addRow("cells, step %d", steps) << steps << 3;
   for (const int steps : {6, 20, 38, 39, 40}) QTest::addRow("default pipeline, step %d", steps) << steps << 7;
 }
@@ -286,7 +286,7 @@ void TestTileRanks::cellsOfAPlanAreAlike() {
     next = cell.last;
   }
   QCOMPARE(next, std::uint64_t{4000});
-  // Of a part, and where tests make cells small.
+  // The range is a part, and tests make cells small.
   const std::vector<FaceRange> few = planCells(blocks, floors, {900, 1203}, {~0ULL, 500, 1000, 0, 100});
   QCOMPARE(few.size(), std::size_t{4});
   QCOMPARE(few.front().first, std::uint64_t{900});

@@ -52,7 +52,7 @@ inline const std::vector<std::string> kStepPipelines{
     "VerticalClearanceFilter 0.5\nStepFilter 2.5 0\n",
     "GridStrategy 2 2\nVerticalClearanceFilter 0.25\nStepFilter 1 0\nCollapse\nAreaFilter 1\n"};
 
-/// With filters over borders behind them.
+/// The same with filters over borders behind them.
 inline const std::vector<std::string> kLinkedPipelines{
     "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.5 0\nSimplificationFilter\nLayerSubdivisionFilter\n",
     "SlopeFilter 60\nVerticalClearanceFilter 1\nStepFilter 1 0\nAreaFilter 1\nLayerSubdivisionFilter\n",
@@ -86,7 +86,7 @@ inline void pack(const Environment& environment, const std::string& target) {
   packer.finish(environment);
 }
 
-/// In a folder of its own; the bytes of all files there.
+/// Runs in a folder of its own; returns the bytes of all files there.
 inline std::map<std::string, QByteArray> makeTiles(const PackedEnvironment& environment, const std::string& pipeline,
                                                    const std::string& folder, std::uint64_t mostFaces,
                                                    int threads = 0) {
