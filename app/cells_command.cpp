@@ -125,8 +125,8 @@ std::string previewCells(const CellsOptions& options) {
 
 void addCellsCommand(CLI::App& app) {
   const auto options = std::make_shared<CellsOptions>();
-  CLI::App& command =
-      *app.add_subcommand("cells", "Tell into which cells a strategy divides an environment, without running filters");
+  CLI::App& command = *app.add_subcommand(
+      "cells", "Show the cells into which a strategy divides an environment, without running filters");
   options->environment.addTo(command);
   command
       .add_option("--strategy", options->strategy,
@@ -137,7 +137,7 @@ void addCellsCommand(CLI::App& app) {
   addThreads(command, options->threads, "Threads to plan for; as many as there are processors by default");
   command.add_option("-o,--output", options->output, "Write the environment, cut along the cells, to this OBJ file")
       ->type_name("CELLS.obj");
-  command.add_flag("--json", options->json, "The report as JSON");
+  command.add_flag("--json", options->json, "Print the report as JSON");
   command.callback([options] { print(previewCells(*options)); });
 }
 

@@ -31,7 +31,7 @@ void runCommandLine(int argc, const char* const* argv) {
     app.parse(argc, argv);  // and runs the command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
-      throw InputError(std::string(error.what()) + "; `footfall --help` tells what can be given");
+      throw InputError(std::string(error.what()) + "; `footfall --help` lists the commands and options");
     app.exit(error);  // --help and --version
     print({});
   }

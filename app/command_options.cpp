@@ -83,12 +83,12 @@ void addUpAxis(CLI::App& command, const std::string& name, std::string& up, cons
 void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coordinateSystem) {
   command
       .add_option("--part", part,
-                  "Of polygons, write this connected part alone; 1 is the largest, as `footfall run` lists them")
+                  "Write only this connected part of polygons; 1 is the largest, as `footfall run` lists them")
       ->check(CLI::Range(1U, 0x7fffffffU))
       ->type_name("N");
   command
       .add_option("--crs", coordinateSystem,
-                  "The coordinate system that GeoJSON is to name, where the environment is in one; nothing is moved")
+                  "The coordinate system of the environment, which GeoJSON then names; no coordinate is changed")
       ->type_name("EPSG:N");
 }
 

@@ -80,22 +80,22 @@ void compareFiles(const CompareOptions& options) {
 
 void addCompareCommand(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App& command = *app.add_subcommand("compare", "Tell how two navigation meshes differ");
+  CLI::App& command = *app.add_subcommand("compare", "Report how two navigation meshes differ");
   command
       .add_option("A", options->files[0], "The ground truth: an OBJ file that `footfall run -o` wrote, or any other")
       ->required();
-  command.add_option("B", options->files[1], "The OBJ file to hold against it")->required();
+  command.add_option("B", options->files[1], "The OBJ file to compare with it")->required();
   command
       .add_option("--height", options->comparison.height,
-                  "How far apart in height two surfaces still cover each other, in the files' units; nearly nothing "
-                  "by default")
+                  "The largest difference in height at which two surfaces still cover each other, in the files' units; "
+                  "almost 0 by default")
       ->type_name("H");
   command
       .add_option("--error", options->comparison.error,
-                  "How exactly to bound the Hausdorff distances, in the files' units; a thousandth of the diagonal "
-                  "by default")
+                  "The accuracy of the bounds of the Hausdorff distances, in the files' units; a thousandth of the "
+                  "diagonal by default")
       ->type_name("E");
-  addUpAxis(command, "--up", options->up, "The up axis of both files; what they state, else y, when left out");
+  addUpAxis(command, "--up", options->up, "The up axis of both files; by default the one that they state, else y");
   command.add_flag("--json", options->json, "Print one JSON object");
   command.add_flag("--fail-if-different", options->failIfDifferent,
                    "Exit with 1 unless both are the same set of points, exactly");

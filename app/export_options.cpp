@@ -34,7 +34,7 @@ CLI::Option* ExportCommandOptions::addTo(CLI::App& command, const std::string& o
     command.add_flag_callback(
         name, [&part] { part = false; }, help);
   };
-  leaveOut("--no-layers", options.layers, "Export one group of triangles in place of one for each layer");
+  leaveOut("--no-layers", options.layers, "Export one group of triangles instead of one for each layer");
   leaveOut("--no-connections", options.connections, "Leave out the lines where two layers meet");
   leaveOut("--no-obstacle-edges", options.obstacleEdges, "Leave out the lines of obstacle edges");
   leaveOut("--no-steps", options.steps, "Leave out the faces of steps");
@@ -49,8 +49,9 @@ CLI::Option* ExportCommandOptions::addTo(CLI::App& command, const std::string& o
   command.add_option("--godot", options.godot, "The version of Godot that is to read a .tres: 4 (the default) or 3")
       ->check(CLI::IsMember({3, 4}))
       ->type_name("VERSION");
-  command.add_flag("--navmesh-node", options.navmeshNode,
-                   "Of glTF: one mesh, whose node is \"walkable-navmesh\", which Godot imports as a navigation region");
+  command.add_flag(
+      "--navmesh-node", options.navmeshNode,
+      "For glTF: write one mesh, whose node is \"walkable-navmesh\", which Godot imports as a navigation region");
   addPolygonOptions(command, part, options.coordinateSystem);
   return output;
 }

@@ -16,7 +16,7 @@ void addFiltersCommand(CLI::App& app) {
     bool markdown = false;
   };
   const auto options = std::make_shared<Options>();
-  CLI::App& command = *app.add_subcommand("filters", "List the filters, or tell all about one");
+  CLI::App& command = *app.add_subcommand("filters", "List the filters, or describe one");
   CLI::Option* name = command.add_option("NAME", options->name, "A filter's name");
   command.add_flag("--markdown", options->markdown, "The whole reference as Markdown")->excludes(name);
   command.callback([options] {

@@ -57,9 +57,10 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember({"thread", "time", "triangles", "cost"}))
       ->capture_default_str();
   std::string theme;
-  app.add_option("--theme", theme, "light, dark or as the system, for this time")
+  app.add_option("--theme", theme, "colours of the window, for this start only")
       ->check(CLI::IsMember({"light", "dark", "system"}));
-  app.add_option("--language", options.language, "language for this time, e.g. de")->type_name("CODE");
+  app.add_option("--language", options.language, "language of the window, for this start only, such as de")
+      ->type_name("CODE");
   try {
     app.parse(argc, argv);
     if (!options.screenshot.empty() && options.environment.empty()) {

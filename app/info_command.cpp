@@ -10,7 +10,7 @@ using namespace detail;
 
 void addInfoCommand(CLI::App& app) {
   const auto options = std::make_shared<EnvironmentOptions>();
-  CLI::App& command = *app.add_subcommand("info", "Tell what an environment holds");
+  CLI::App& command = *app.add_subcommand("info", "Print what an environment holds");
   options->addTo(command);
   command.callback([options] {
     CommandSession session;

@@ -67,10 +67,10 @@ void join(JoinOptions& options) {
 
 void addJoinCommand(CLI::App& app) {
   const auto options = std::make_shared<JoinOptions>();
-  CLI::App& command = *app.add_subcommand("join", "Make one file of the tiles that `footfall run --memory` wrote");
+  CLI::App& command = *app.add_subcommand("join", "Join the tiles of `footfall run --memory` into one file");
   command
       .add_option("FOLDER", options->folders,
-                  "The folder with the tiles and their index; of a run in slices, all folders")
+                  "The folder with the tiles and their index; for a run in slices, all folders")
       ->required();
   options->exported.addTo(command)->required();
   command.add_option("--stats", options->statistics, "Write counts, links and components to this file")

@@ -48,7 +48,7 @@ void pack(const PackCommandOptions& options) {
   if (!options.quiet) {
     for (const Text& note : result.notes) std::cerr << "footfall: note: " << note.str() << '\n';
     if (!result.isStreamed)
-      std::cerr << "footfall: note: " << options.environment.path << " was read as a whole, into memory\n";
+      std::cerr << "footfall: note: " << options.environment.path << " was read into memory as a whole\n";
   }
   print(summaryOf(options.output, result));
 }

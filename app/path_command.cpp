@@ -80,14 +80,14 @@ void addPathCommand(CLI::App& app) {
   addPlace(command, "--to", options->to, "Where to go");
   command
       .add_option("--reach", options->reach,
-                  "How far above or below a place the walkable area may lie, in the file's units; less than the "
+                  "The largest height of the walkable area above or below a place, in the file's units; less than the "
                   "clearance by default, so that a place on an obstacle is not walkable")
       ->type_name("H");
   options->pipeline.addTo(command, "A pipeline file", "One step of the pipeline; give it once for each step");
   addThreads(command, options->threads);
   command.add_option("-o,--output", options->output, "Write the path as a polyline to this OBJ file")
       ->type_name("PATH.obj");
-  command.add_flag("--json", options->json, "The report as JSON");
+  command.add_flag("--json", options->json, "Print the report as JSON");
   command.add_flag("--quiet", options->quiet, "No progress bar");
   command.callback([options] { findPath(*options); });
 }

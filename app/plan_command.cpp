@@ -93,7 +93,7 @@ void addPlanCommand(CLI::App& app) {
           "area as polygons: one file of well-known text for each layer and plan-links.wkt, or one GeoJSON file")
       ->required()
       ->type_name("PLAN.svg|.pdf|.wkt|.geojson");
-  command.add_flag("--storeys", options->storeys, "A page for each storey in place of one for each layer");
+  command.add_flag("--storeys", options->storeys, "Draw one page for each storey instead of one for each layer");
   command
       .add_option("--plan-scale", options->scale, "Draw at this scale; the largest usual one that fits when left out")
       ->type_name("1:N");
@@ -104,7 +104,7 @@ void addPlanCommand(CLI::App& app) {
       ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}, CLI::ignore_case))
       ->type_name(kPaperNames);
   addPolygonOptions(command, options->part, options->coordinateSystem);
-  command.add_flag("--black-and-white", options->blackAndWhite, "Without colours, for printing");
+  command.add_flag("--black-and-white", options->blackAndWhite, "Draw without colours, for printing");
   command.add_flag("--quiet", options->quiet, "No progress bar, and no list of files");
   command.callback([options] { print(drawPlan(*options)); });
 }

@@ -133,18 +133,17 @@ void runAs(RunProgram& program, RunOptions& options, bool isWithin) {
 CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
   CLI::Option* memory =
       command
-          .add_option(
-              "--memory", options.memory,
-              "Hold no more memory than so many bytes (K, M, G behind the number are kibibytes and so on), each "
-              "process by itself, and write tiles into the folder OUT, for `footfall join`. For pipelines of local "
-              "filters, which a StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter may follow, "
-              "as in the default pipeline")
+          .add_option("--memory", options.memory,
+                      "Use at most this much memory in each process (K, M and G behind the number mean 2^10, 2^20 and "
+                      "2^30 bytes), and write tiles into the folder OUT, for `footfall join`. The pipeline may have "
+                      "local filters, then a StepFilter, AreaFilters, SimplificationFilter and LayerSubdivisionFilter, "
+                      "as the default pipeline does")
           ->transform(CLI::AsSizeValue(false))
           ->type_name("BYTES");
   command
       .add_option("--slice", options.slice,
-                  "With --memory: run the K-th of N slices alone, as jobs of a queue do; `footfall join` takes the "
-                  "folders of all of them")
+                  "With --memory: run only the K-th of N slices, as one job of a queue; `footfall join` takes the "
+                  "folders of all slices")
       ->needs(memory)
       ->type_name("K/N");
   for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
@@ -171,8 +170,8 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
       ->type_name("FILE.json");
   command.add_option("--report", options->report, "Write figures and times as one HTML file")->type_name("FILE.html");
   command.add_flag("--speed-up", options->speedUp,
-                   "Also run everything three times more, and three times on one thread without parallel blocks, to "
-                   "tell the speed-up");
+                   "Also run everything three more times, and three times on one thread without parallel blocks, and "
+                   "report the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
   const CLI::Option* memory = addMemory(command, *options);
   program.addOptions(command);

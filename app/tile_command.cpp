@@ -48,7 +48,7 @@ class FolderLock {
   explicit FolderLock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
     if (file_ < 0 || ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
     ::close(file_);
-    throw InputError("--output: another run is at work in " + folder.string() + "; wait for it, or give a new name");
+    throw InputError("--output: another run is using " + folder.string() + "; wait for it, or give a new name");
   }
   ~FolderLock() {
     if (file_ >= 0) ::close(file_);
@@ -72,7 +72,7 @@ class TargetFolder {
     if (isMade_) return;
     isKept_ = hasUnfinished(path);  // the run goes on from there
     if (!isKept_ && (!fs::is_directory(path_, error) || !fs::is_empty(path_, error)))
-      throw InputError("--output: " + path + " is there already and is no empty folder; give a new name");
+      throw InputError("--output: " + path + " already exists and is not an empty folder; give a new name");
   }
   ~TargetFolder() {
     if (isKept_) return;
@@ -124,7 +124,7 @@ void packInto(const std::string& target, const TileCommandOptions& options, Comm
   session.end();
   if (options.quiet) return;
   if (!packed.isStreamed)
-    std::cerr << "footfall: note: " << options.environment.path << " was read as a whole, into memory\n";
+    std::cerr << "footfall: note: " << options.environment.path << " was read into memory as a whole\n";
 }
 
 /// The given pipeline; empty where the default one is meant. Throws InputError where its filters cannot keep to a
@@ -138,9 +138,9 @@ std::optional<Pipeline> checkedPipeline(const PipelineOptions& options, const Ti
   try {
     checkSlice(stepsOfCells(defaultPipeline({})), slice);
   } catch (const InputError& error) {
-    throw InputError(std::string("--memory: the default pipeline does not do: ") + error.what() +
-                     "; give one of your own, such as --filter \"SlopeFilter 45\" --filter "
-                     "\"VerticalClearanceFilter 2\"");
+    throw InputError(
+        std::string("--memory: the default pipeline cannot be used: ") + error.what() +
+        "; give another pipeline, such as --filter \"SlopeFilter 45\" --filter \"VerticalClearanceFilter 2\"");
   }
   return pipeline;
 }
@@ -154,7 +154,7 @@ TileSlice sliceFrom(const std::string& text) {
   const bool isDivided = number.ec == std::errc() && number.ptr != end && *number.ptr == '/';
   const auto count = isDivided ? std::from_chars(number.ptr + 1, end, slice.count) : number;
   if (!isDivided || count.ec != std::errc() || count.ptr != end || slice.number < 1 || slice.number > slice.count)
-    throw InputError("--slice: \"" + text + "\" is no slice; give K/N, such as 1/8 for the first of eight");
+    throw InputError("--slice: \"" + text + "\" is not a slice; give K/N, such as 1/8 for the first of eight");
   return slice;
 }
 
@@ -225,9 +225,10 @@ std::shared_ptr<TargetFolder> makeTarget(const TileCommandOptions& options) {
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   checkEnding(options.statistics, "--stats", ".json");
   checkOutside(options.statistics, options.folder,
-               FOOTFALL_TEXT("--stats %1: this is in the folder of the tiles; name a file elsewhere"));
-  checkOutside(options.environment.path, options.folder,
-               FOOTFALL_TEXT("%1: this is in the folder of the tiles; move it, or give the tiles another folder"));
+               FOOTFALL_TEXT("--stats %1: this file is in the folder of the tiles; choose another place"));
+  checkOutside(
+      options.environment.path, options.folder,
+      FOOTFALL_TEXT("%1: this file is in the folder of the tiles; move it, or choose another folder for the tiles"));
   targets.add(options.statistics, Pattern{"the statistics"});
   return std::make_shared<TargetFolder>(options.folder);
 }
@@ -316,8 +317,8 @@ void runIntoFolder(const TileCommandOptions& options, RunProgram& program, Comma
   if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result));
   if (options.quiet) return;
   if (peakOf(result) > options.memory)
-    std::cerr << "footfall: note: the run held more than --memory: floors that many obstacles cut take more than they "
-                 "usually do; give less\n";
+    std::cerr << "footfall: note: the run used more than --memory, because floors that many obstacles cut took more "
+                 "than usual; give a smaller value\n";
   print(summaryOf(options, result));
 }
 

@@ -80,8 +80,10 @@ std::string explainPair(const WhyOptions& options) {
   if (options.json) return formatPathJson(*result.mesh, path);
   if (path.reached()) return "a way leads from the start to the target\n" + formatPath(path, up);
   std::string text = formatSeparation(*environment, path);
-  if (path.status == PathStatus::StartNotWalkable) text += "`footfall why --at` tells of the start why it is not\n";
-  if (path.status == PathStatus::TargetNotWalkable) text += "`footfall why --at` tells of the target why it is not\n";
+  if (path.status == PathStatus::StartNotWalkable)
+    text += "`footfall why --at` explains why the start is not walkable\n";
+  if (path.status == PathStatus::TargetNotWalkable)
+    text += "`footfall why --at` explains why the target is not walkable\n";
   return text;
 }
 
@@ -109,14 +111,15 @@ void addWhyCommand(CLI::App& app) {
   const auto options = std::make_shared<WhyOptions>();
   CLI::App& command = *app.add_subcommand(
       "why",
-      "Tell why a place is walkable, or which filter rejected it; or why no way leads from one place to another");
+      "Explain why a place is walkable or which filter rejected it, or why no way leads from one place to another");
   options->environment.addTo(command);
   CLI::Option* at =
       addPlace(command, "--at", options->place,
                "The place, in the file's frame and units: the highest triangle at or under this point counts");
-  CLI::Option* from = addPlace(command, "--from", options->from,
-                               "Instead of --at, with --to: tell what is missing least for a way between two places");
-  CLI::Option* to = addPlace(command, "--to", options->to, "Where no way leads to from there");
+  CLI::Option* from =
+      addPlace(command, "--from", options->from,
+               "With --to, in place of --at: report the least that is missing for a way between two places");
+  CLI::Option* to = addPlace(command, "--to", options->to, "The place that no way leads to from there");
   at->required(false)->excludes(from)->excludes(to);
   from->required(false)->needs(to);
   to->required(false)->needs(from);

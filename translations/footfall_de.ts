@@ -1704,8 +1704,8 @@
         <translation>ist beschädigt oder von einem anderen Lauf als das Verzeichnis</translation>
     </message>
     <message>
-        <source>--stats %1: this is in the folder of the tiles; name a file elsewhere</source>
-        <translation>--stats %1: das liegt im Ordner der Kacheln; eine Datei anderswo angeben</translation>
+        <source>--stats %1: this file is in the folder of the tiles; choose another place</source>
+        <translation>--stats %1: Die Datei liegt im Ordner der Kacheln; einen anderen Ort wählen</translation>
     </message>
     <message>
         <source>%1: more than %2 triangles stand over one place; footfall run --memory takes them</source>
@@ -1752,8 +1752,8 @@
         <translation>%1: enthält einen Lauf, der nicht zu Ende ging, mit einer anderen Umgebung, anderen Filtern oder einer anderen Grenze; entfernen Sie den Ordner, oder geben Sie einen neuen Namen an</translation>
     </message>
     <message>
-        <source>%1: this is in the folder of the tiles; move it, or give the tiles another folder</source>
-        <translation>%1: das liegt im Ordner der Kacheln; die Datei verschieben oder den Kacheln einen anderen Ordner geben</translation>
+        <source>%1: this file is in the folder of the tiles; move it, or choose another folder for the tiles</source>
+        <translation>%1: Die Datei liegt im Ordner der Kacheln; sie verschieben oder für die Kacheln einen anderen Ordner wählen</translation>
     </message>
 </context>
 <context>

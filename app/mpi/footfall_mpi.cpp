@@ -37,10 +37,7 @@ void addCellsCommand(CLI::App& app, app::MpiProgram& program) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand("cells", "Run the cells of a job that the editor left in a folder");
-  command
-      .add_option("JOB", options->job,
-                  "The folder of the job. What is found stays there for the editor, which goes on with it")
-      ->required();
+  command.add_option("JOB", options->job, "The folder of the job. The results stay there for the editor")->required();
   app::addThreads(command, options->threads);
   command.callback([options, &program] { program.runCells(options->job, options->threads); });
 }
@@ -55,7 +52,7 @@ void runCommandLine(int argc, const char* const* argv, app::MpiProgram& program)
     app.parse(argc, argv);  // and runs the command
   } catch (const CLI::ParseError& error) {
     if (error.get_exit_code() != static_cast<int>(CLI::ExitCodes::Success))
-      throw InputError(std::string(error.what()) + "; `footfall-mpi --help` tells what can be given");
+      throw InputError(std::string(error.what()) + "; `footfall-mpi --help` lists the commands and options");
     if (app::MpiProgram::isFirstByName()) app.exit(error);  // --help and --version
     app::print({});
   }

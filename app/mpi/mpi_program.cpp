@@ -48,12 +48,12 @@ MpiProgram::~MpiProgram() {
 void MpiProgram::addOptions(CLI::App& command) {
   command
       .add_option("--work", workFolder_,
-                  "Keep what is finished of cells in this folder, which all processes see, until the run ends well: a "
-                  "run that was killed goes on from there, with any number of processes")
+                  "Keep finished cells in this folder, which all processes must see, until the run succeeds: a run "
+                  "that was killed continues from there, with any number of processes")
       ->type_name("FOLDER")
       ->excludes(command.get_option("--memory"));
   command.add_flag("--progress", showsProgress_,
-                   "Show a progress bar where standard error is no terminal, too, as for processes of mpirun");
+                   "Show a progress bar even if standard error is no terminal, as for processes of mpirun");
 }
 
 void MpiProgram::begin(int threads) {

@@ -85,8 +85,7 @@ class Editor {
 
   void mergeTriangles() {
     const std::size_t kept = edit_.keptTriangles.size(), count = edit_.soup.triangles.size();
-    std::vector<Index> numberOf(base_.triangles.size(), -1);  // the number, in this environment, of each input triangle
-                                                              // of the base
+    std::vector<Index> numberOf(base_.triangles.size(), -1);  // present number of each triangle
     for (std::size_t i = 0; i < kept; ++i) numberOf[edit_.keptTriangles[i]] = static_cast<Index>(i);
     std::vector<SortedTriangle> added;
     for (std::size_t i = kept; i < count; ++i)

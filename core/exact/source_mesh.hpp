@@ -34,8 +34,7 @@ struct SourceMesh {
   // Copies to which places of the plan are added share what belongs to triangles.
   SharedArray<std::array<Index, 3>> triangles;
   SharedArray<std::uint32_t> inputTriangles;           ///< index in the environment (or in the earlier generation)
-  SharedArray<std::array<ErrorDouble, 3>> normals;     ///< normals of scaled coordinates; zero components are exactly
-                                                       ///< zero
+  SharedArray<std::array<ErrorDouble, 3>> normals;     ///< scaled; zero components are exactly zero
   SharedArray<std::int8_t> facing;                     ///< sign of the normal's z
   SharedArray<char> degenerate;                        ///< zero area
   std::vector<std::pair<Index, Index>> obstacleEdges;  ///< those of an earlier generation: sorted, smaller vertex first

@@ -14,8 +14,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReach =
     1e-4;  // share of the agent's height by which the way extends beyond both borders, as walls stand there
-constexpr double kBeside = 1e-5;   // share of the agent's height within which obstacles are looked for on either side
-                                   // of the way
+constexpr double kBeside = 1e-5;   // share of the agent's height on either side of the way
 constexpr double kClearly = 1e-3;  // the sine of an angle
 constexpr double kMargin = 1e-3;   // share of the agent's height: lower obstacles are the floor itself, where it slopes
 

@@ -100,8 +100,7 @@ class SeparationSearch {
   static constexpr int kMostJoined = 8;  // parts between two that are far from each other
   static constexpr std::size_t kMostWays = std::size_t{1} << 14;
   static constexpr std::size_t kMostOthers = 64;
-  static constexpr double kAlsoLittle = 1.0 / 16;  // share of the agent's height: an excess that another way may have
-                                                   // in any case
+  static constexpr double kAlsoLittle = 1.0 / 16;  // share of the agent's height, always allowed
 
   [[nodiscard]] bool isLinked() const { return !ways_.empty(); }
   /// The largest excess of another way.

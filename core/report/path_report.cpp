@@ -122,7 +122,7 @@ std::string detail::formatSeparation(const Environment& environment, const PathR
     if (!link.triangles.empty()) all += "; " + triangleList(environment, link.triangles);
     return all + '\n';
   };
-  text += "what is missing least, " + line(separation.barrier());
+  text += "the least that is missing, " + line(separation.barrier());
   if (separation.links.size() > 1) {
     text += "on the same way, over parts between:\n";
     for (std::size_t i = 0; i < separation.links.size(); ++i)

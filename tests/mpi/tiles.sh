@@ -72,10 +72,10 @@ tells 2 "a memory of 1 MB is too little" "${villa}" --memory 1M -o "${work}/none
 tells 2 "a memory of 70 MB is too little" "${city}" --memory 70M -o "${work}/none"
 tells 2 "excludes" "${villa}" --memory 1G --work "${work}/shares" -o "${work}/none"
 tells 2 "missing.ffenv" "${work}/missing.ffenv" --memory 1G -o "${work}/none"
-tells 2 "this is in the folder of the tiles" "${city}" --memory 1G -o "${work}"
+tells 2 "this file is in the folder of the tiles" "${city}" --memory 1G -o "${work}"
 mkdir "${work}/taken"
 touch "${work}/taken/own"
-tells 2 "is no empty folder" "${city}" --memory 1G -o "${work}/taken"
+tells 2 "is not an empty folder" "${city}" --memory 1G -o "${work}/taken"
 # Blocks are checked when they are read: the one in the middle is read by another rank than 0.
 cp "${city}" "${work}/damaged.ffenv"
 printf 'damaged' | dd of="${work}/damaged.ffenv" bs=1 seek="$(($(stat -c %s "${city}") / 2))" conv=notrunc status=none

@@ -123,7 +123,7 @@ class TestWhyCommand : public QObject {
     const Outcome low = ask("StepFilter 0.4");
     QVERIFY2(low.exitCode == 0 && low.err.isEmpty(), low.err.constData());
     QVERIFY2(low.out.startsWith("no way leads from the start to the target") &&
-                 low.out.contains("what is missing least, at 6 3 0: a step of 0.5 up, 0.1 too high; triangle "),
+                 low.out.contains("the least that is missing, at 6 3 0: a step of 0.5 up, 0.1 too high; triangle "),
              low.out.constData());
     QVERIFY2(!low.out.contains("more way"), low.out.constData());
     const Outcome high = ask("StepFilter 0.5");
@@ -146,10 +146,10 @@ class TestWhyCommand : public QObject {
     QVERIFY2(
         start.exitCode == 0 && start.out.startsWith("the start is not walkable; the nearest place that is lies 3 away"),
         start.out.constData());
-    QVERIFY(start.out.contains("`footfall why --at` tells of the start"));
+    QVERIFY(start.out.contains("`footfall why --at` explains why the start"));
     const Outcome target =
         footfallWhy(QStringList{path("z.obj"), "--up", "z", "--from", "8", "3", "0", "--to", "1", "3", "0"} + common);
-    QVERIFY2(target.out.startsWith("the target is not walkable") && target.out.contains("tells of the target"),
+    QVERIFY2(target.out.startsWith("the target is not walkable") && target.out.contains("explains why the target"),
              target.out.constData());
   }
 

@@ -205,7 +205,7 @@ void TestTileCommands::slicesAreJoined() {
   const QStringList run{"run", sample("house"), "--memory", "1G", "-o", named("x"), "--slice"};
   for (const char* wrong : {"0/3", "4/3", "x", "1/", "/2", "1/2x"}) {
     const Outcome outcome = runProgram(run + QStringList{wrong} + local);
-    QVERIFY2(outcome.exitCode == 2 && outcome.err.contains("is no slice"), outcome.err);
+    QVERIFY2(outcome.exitCode == 2 && outcome.err.contains("is not a slice"), outcome.err);
   }
   const Outcome area = runProgram(run + QStringList{"1/2"} + kPipeline);
   QVERIFY2(area.exitCode == 2 && area.err.contains("AreaFilter sees over the borders of slices"), area.err);
@@ -295,7 +295,7 @@ void TestTileCommands::whatCannotBeIsRefused() {
   QVERIFY2(empty.exitCode == 2 && empty.err.contains("has no index.json"), empty.err);
   write(tiles + "/mine.txt", "x");
   const Outcome taken = runProgram(run + kPipeline);
-  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is no empty folder"), taken.err);
+  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is not an empty folder"), taken.err);
   QCOMPARE(entriesOf(tiles), QStringList{"mine.txt"});
 }
 
@@ -310,7 +310,7 @@ void TestTileCommands::nothingOfOthersIsTouched() {
   const int lock = ::open(target.toLocal8Bit().constData(), O_RDONLY | O_DIRECTORY);
   QVERIFY(lock >= 0 && ::flock(lock, LOCK_EX | LOCK_NB) == 0);
   const Outcome locked = run(sample("house"));
-  QVERIFY2(locked.exitCode == 2 && locked.err.contains("another run is at work in"), locked.err);
+  QVERIFY2(locked.exitCode == 2 && locked.err.contains("another run is using"), locked.err);
   QCOMPARE(entriesOf(target), QStringList());
   ::close(lock);
 
@@ -318,14 +318,14 @@ void TestTileCommands::nothingOfOthersIsTouched() {
   QVERIFY(own.open(QFile::WriteOnly) && own.write("chapters two and three\n") > 0);
   own.close();
   const Outcome taken = run(sample("house"));
-  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is no empty folder"), taken.err);
+  QVERIFY2(taken.exitCode == 2 && taken.err.contains("is not an empty folder"), taken.err);
   QCOMPARE(entriesOf(target), QStringList{"unfinished"});
   QVERIFY(own.remove());
 
   const QString packed = QDir(target).filePath("environment.ffenv");
   QCOMPARE(runProgram({"pack", sample("house"), "-o", packed, "--quiet"}).exitCode, 0);
   const Outcome inside = run(packed);
-  QVERIFY2(inside.exitCode == 2 && inside.err.contains("this is in the folder of the tiles"), inside.err);
+  QVERIFY2(inside.exitCode == 2 && inside.err.contains("this file is in the folder of the tiles"), inside.err);
   QCOMPARE(entriesOf(target), QStringList{"environment.ffenv"});
 }
 

@@ -1,5 +1,6 @@
 // Several ranks (threads in place of MPI) share a run within a bound of memory: whatever their number, the folder is
-// that of one process. SPDX-License-Identifier: GPL-3.0-or-later
+// that of one process.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 
 #include <QTest>
