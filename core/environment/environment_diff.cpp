@@ -17,7 +17,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kPolled = 1 << 15;
-constexpr std::size_t kLeastKeptOf = 4;  // at most one triangle in so many may come or go
+constexpr std::size_t kLeastKeptOf = 4;  // at most one triangle in this many may come or go
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
 /// Elements with numbers, equal ones chained in ascending order, to be taken one by one.
@@ -38,8 +38,8 @@ class Chains {
   }
 
  private:
-  std::vector<std::uint32_t> first_;  ///< by key
-  std::vector<std::uint32_t> next_;   ///< by element
+  std::vector<std::uint32_t> first_;  ///< indexed by key
+  std::vector<std::uint32_t> next_;   ///< indexed by element
 };
 
 class Differ {
@@ -154,11 +154,11 @@ class Differ {
   const Environment& before_;
   const Environment& now_;
   RunContext* context_;
-  std::vector<std::int32_t> positionBefore_, positionNow_;  ///< for each vertex
-  std::vector<char> isTaken_;                               ///< for each triangle of now_: before_ has it too
-  std::vector<std::uint32_t> keptTriangles_;                ///< of before_
+  std::vector<std::int32_t> positionBefore_, positionNow_;  ///< one per vertex
+  std::vector<char> isTaken_;                               ///< one flag per triangle of now_: before_ has it too
+  std::vector<std::uint32_t> keptTriangles_;                ///< kept triangles of before_
   std::vector<std::uint32_t> order_;                        ///< the triangles of now_ in the order of the result
-  std::vector<std::uint32_t> vertexOf_;                     ///< for each vertex of now_ its number in the result
+  std::vector<std::uint32_t> vertexOf_;                     ///< number in the result of each vertex of now_
 };
 
 }  // namespace

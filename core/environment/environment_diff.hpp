@@ -1,5 +1,5 @@
-// How one version of an environment differs from another: so that a file that was saved anew is an edit of what was
-// there before, and only what changed is computed again.
+// The difference between two versions of an environment: a file that was saved again is an edit of the version before,
+// and only the changed parts are computed again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

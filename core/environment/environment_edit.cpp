@@ -23,7 +23,7 @@ void checkSoup(const TriangleSoup& soup) {
 
 constexpr std::uint32_t kGone = 0xFFFFFFFF;
 
-/// What belongs to each triangle besides its corners; `result` has its edit already.
+/// Copies the attributes of each triangle besides its corners; `result` has its edit already.
 void carryAttributes(const Environment& base, Environment& result, std::size_t added) {
   const std::vector<std::uint32_t>& kept = result.edit->keptTriangles;
   if (!base.partOf.empty()) {

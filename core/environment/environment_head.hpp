@@ -1,4 +1,4 @@
-// What an environment says of itself and of its file, apart from its geometry.
+// The statements of an environment about itself and its file, apart from its geometry.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

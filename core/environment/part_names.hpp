@@ -18,10 +18,10 @@ namespace footfall::detail {
 /// survives sessions and command lines, whatever wrote the file.
 std::string cleanName(std::string_view name);
 
-/// How a part is called in lists and on the command line: MESH/MATERIAL, or the one that there is, or "(unnamed)".
+/// The name of a part in lists and on the command line: MESH/MATERIAL, or the one that it has, or "(unnamed)".
 Text partLabel(const EnvironmentPart& part);
 
-/// For each of Environment::parts how many triangles it has.
+/// The number of triangles of each of Environment::parts.
 std::vector<std::uint64_t> countPartTriangles(const Environment& environment);
 
 /// Numbers parts in the order in which they come.

@@ -1,4 +1,4 @@
-// What the user says about the parts of an environment: left out, or obstacles that nobody walks on.
+// The user's rules for the parts of an environment: left out, or obstacles that are never walkable.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ struct PartRule {
   bool operator==(const PartRule&) const = default;
 };
 
-/// For each of Environment::parts its role: that of the last rule that names it, else its usual one. Rules for parts
+/// The role of each of Environment::parts: that of the last rule that names it, else its usual one. Rules for parts
 /// that are not there have no effect, so that they can outlive a version of the file. An environment without parts has
 /// one all the same, without names: the list then has one entry.
 std::vector<PartRole> rolesOf(const Environment& environment, const std::vector<PartRule>& rules);

@@ -11,7 +11,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr int kSides = 24;          // of a cylinder; a multiple of 4, so that it touches its extents
+constexpr int kSides = 24;          // sides of a cylinder; a multiple of 4, so that it touches its extents
 constexpr double kMostInside = 64;  // faces within one obstacle
 constexpr int kDigits = 24;         // binary, of the smaller extent that turned corners keep
 
@@ -30,7 +30,7 @@ void check(const PlacedObstacle& obstacle) {
       throw InputError(FOOTFALL_TEXT("obstacle '%1' reaches too far; make it smaller"), name);
 }
 
-/// From the middle of the bottom: half its extents along its own axes, turned.
+/// The extents from the middle of the bottom: half of each, along its own axes, turned.
 class Footprint {
  public:
   explicit Footprint(const PlacedObstacle& obstacle) : base_(obstacle.base) {

@@ -7,8 +7,8 @@
 namespace footfall::detail {
 namespace {
 
-// In metres. Landscapes of games are up to a few hundred metres long, and their towers a few dozen high; a doll's house
-// is no level.
+// Limits in metres. Landscapes of games are up to a few hundred metres long, and their towers a few dozen high; a
+// doll's house is no level.
 constexpr double kLongest = 400, kHighest = 80, kShortest = 1;
 constexpr std::array kUsual = {1.0, 0.01, 0.001};
 

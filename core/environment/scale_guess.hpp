@@ -1,4 +1,4 @@
-// Whether a scale that is a guess can be right.
+// Judges whether a guessed scale can be right.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace footfall::detail {
 /// or nothing where none is.
 std::optional<double> betterScale(const Vec3& size, double metresPerUnit);
 
-/// Whether a level of this size is too high, rather than too long or too short, by that scale.
+/// True when a level of this size is too high, rather than too long or too short, by that scale.
 bool isTooHigh(const Vec3& size, double metresPerUnit);
 
 }  // namespace footfall::detail

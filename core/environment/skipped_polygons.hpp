@@ -21,7 +21,7 @@ void addSkipped(SkippedElements& skipped, SkippedPolygon polygon);
 /// Adds the polygons of a later stretch of the file, whose first line comes after `linesBefore` others.
 void appendSkippedPolygons(SkippedElements& skipped, const SkippedElements& later, std::uint64_t linesBefore);
 
-/// Where it stands in the file, "line 12" or "face 3 of mesh 'Wall'".
+/// The place in the file, "line 12" or "face 3 of mesh 'Wall'".
 Text skippedSource(const SkippedPolygon& polygon);
 /// Why it was left out, "2 of its 4 corners are different; a polygon needs three".
 Text skippedReason(const SkippedPolygon& polygon);

@@ -13,10 +13,10 @@ namespace footfall::detail {
 /// A value as it stands in a pipeline file: true or false, or the shortest digits that read back to the same double.
 std::string formatValue(const ParameterDescriptor& parameter, double value);
 
-/// What a value may be, e.g. "a number above 0 and below 90 (degrees)".
+/// The range of a value, e.g. "a number above 0 and below 90 (degrees)".
 Text describeRange(const ParameterDescriptor& parameter);
 
-/// How to write the filter in a pipeline file, e.g. "SimplificationFilter [approximate [tolerance]]".
+/// The form of the filter in a pipeline file, e.g. "SimplificationFilter [approximate [tolerance]]".
 std::string describeUsage(const FilterDescriptor& filter);
 
 /// Everything about one filter as plain text of at most 100 columns, ending in a line break.

@@ -48,12 +48,12 @@ struct CellHash {
   }
 };
 
-// Beyond this cell doubles are farther apart than the distance, or so far out that they share one last cell.
+// The last cell: beyond it doubles are farther apart than the distance, or so far out that they share one last cell.
 std::int64_t cellOf(double x, double distance) {
   return static_cast<std::int64_t>(std::floor(std::clamp(x / distance, -0x1p52, 0x1p52)));
 }
 
-// For each place the first place of its cluster; places are sorted and distinct.
+// The first place of the cluster of each place; places are sorted and distinct.
 std::vector<Index> clusterPlaces(const std::vector<Vec3>& places, double distance, RunContext& context) {
   std::unordered_map<std::array<std::int64_t, 3>, std::vector<Index>, CellHash> cells;
   DisjointSets sets(places.size());

@@ -16,18 +16,19 @@
 namespace footfall::detail {
 namespace {
 
-/// How polygons of the plan lie to one another, as far as doubles tell for certain.
+/// The position of polygons of the plan to one another, as far as doubles are certain.
 enum class PlanRelation : std::uint8_t { Unknown, Apart, Inside };
 
-/// Whether q lies to the left (1) or to the right (-1) of the line from a to b, or it is not certain (0).
+/// The side of the line from a to b on which q lies: left (1), right (-1), or not certain (0).
 int certainSide(const Vec3& a, const Vec3& b, const Vec3& q) {
-  constexpr double kRounding = 0x1p-50;  // of two differences, their product, and the difference of two products
+  constexpr double kRounding = 0x1p-50;  // rounding of two differences, their product, and the difference of two
+                                         // products
   const double left = (b.x - a.x) * (q.y - a.y), right = (b.y - a.y) * (q.x - a.x);
   const double bound = (std::fabs(left) + std::fabs(right)) * kRounding + std::numeric_limits<double>::min();
   return left - right > bound ? 1 : left - right < -bound ? -1 : 0;
 }
 
-// Whether a triangle lies in a convex polygon or beside it; both counter-clockwise.
+// The position of a triangle to a convex polygon: in it or beside it; both counter-clockwise.
 PlanRelation relate(const std::array<Vec3, 3>& triangle, std::span<const Index> polygon,
                     const std::vector<Vec3>& places) {
   bool isInside = true;
@@ -275,7 +276,7 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
       const Index other = c.neighbors[k];
       const bool isOpenBeyond = other >= 0 && open[other] != 0;
       bool isWall = edges.walls[k] != 0;
-      if (isOpen) {  // Between open cells the one with the larger number has the wall, beside a covered one that.
+      if (isOpen) {  // The wall belongs to the open cell with the larger number, or to the one beside a covered cell.
         if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
       } else {
         if (!isOpenBeyond) continue;
@@ -286,7 +287,7 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
   }
 }
 
-// By their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
+// Sorts by their ends. Giants have tens of thousands of segments: those are counted into place, by one end and then the
 // other.
 void FaceCutter::sortSegments() {
   constexpr std::size_t kFewSegments = 256;
@@ -307,7 +308,7 @@ void FaceCutter::sortSegments() {
   }
 }
 
-// In an order that depends on nothing but what they are: points along a curve, segments by their points, lines as they
+// Sorts by an order that depends only on what they are: points along a curve, segments by their points, lines as they
 // come.
 template <class Cuts>
 void FaceCutter::collectAll(Cuts& cuts) {

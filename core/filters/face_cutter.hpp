@@ -34,12 +34,12 @@ class FaceCutter {
  protected:
   struct Corner {
     Index point = -1;
-    Index line = -1;          ///< of the edge to the next corner
+    Index line = -1;          ///< line of the edge to the next corner
     int direction = 0;        ///< +1: that edge runs along the line
     int floor = 0;            ///< sign of the height above the floor
     int ceiling = 0;          ///< sign of the height above floor + clearance
     bool cut = false;         ///< a border of the cell made it
-    std::int8_t corner = -1;  ///< of the triangle or polygon that is clipped, if it is one
+    std::int8_t corner = -1;  ///< corner of the triangle or polygon that is clipped, if it is one
   };
   /// A triangle clipped by two heights and three edges has at most eight corners, twelve corners clipped by three edges
   /// are fifteen.
@@ -85,7 +85,7 @@ class FaceCutter {
     }
     polygon = result;
   }
-  /// Whether a polygon is the whole face.
+  /// True when a polygon is the whole face.
   static bool isWhole(const Polygon& polygon);
   /// `polygon` is clipped to the face.
   void addOutline(const Polygon& polygon);
@@ -115,12 +115,12 @@ class FaceCutter {
   FaceGeometry geometry_;
   Index face_ = -1;
   std::uint8_t edgeWalls_ = 0;
-  int startWinding_ = 0;  ///< as in FaceCuts
+  int startWinding_ = 0;  ///< see FaceCuts
 
   // The sides of the cell whose share is being cut, and what is known of them.
   std::span<const CellSide> sides_;
   std::vector<Index> sideLines_;
-  std::vector<std::uint8_t> cellBorders_;  ///< for each point, bit i: it lies on side i
+  std::vector<std::uint8_t> cellBorders_;  ///< bit i of each point: it lies on side i
   Index obstacle_ = -1;
   std::vector<CutSegment> segments_;
 
@@ -132,17 +132,17 @@ class FaceCutter {
   void collectAll(Cuts& cuts);
   void sortSegments();
   [[nodiscard]] OpenGrid::Outline outlineOf(const FaceTriangulation::Cell& cell) const;
-  /// For each cell of the triangulation, whether it is outside of what keepOutline() encloses.
+  /// One flag per cell of the triangulation: it is outside of the area that keepOutline() encloses.
   [[nodiscard]] std::vector<char> findOpen(const OpenGrid* openCells) const;
   [[nodiscard]] bool precedes(Index line, Index other) const;
 
-  FaceTriangulation triangulation_;  ///< of what keepOutline() looks at
+  FaceTriangulation triangulation_;  ///< triangulation that keepOutline() uses
   bool started_ = false;
   std::vector<std::span<const Index>> unsure_;  ///< polygons of which doubles cannot decide how they lie to the face
   std::vector<CutSegment> sorted_;
   std::vector<Index> counts_;
-  std::vector<Index> numbers_;  ///< of points, then of lines, in the cuts that are being collected
-  std::vector<Index> order_;    ///< of the points in them
+  std::vector<Index> numbers_;  ///< numbers of points, then of lines, in the cuts that are being collected
+  std::vector<Index> order_;    ///< order of the points in them
   std::vector<FaceShare::Piece> pieces_;
 };
 

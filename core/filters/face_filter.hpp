@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// Whether a triangle that is a floor stays one; counts the cases that doubles cannot decide.
+/// Returns true when a triangle that is a floor stays one; counts the cases that doubles cannot decide.
 using FaceTest = std::function<bool(Index face, ExactFallbacks& count)>;
 
 /// The test of DegeneracyFilter or SlopeFilter on the triangles of a kernel's mesh, which it keeps; empty for all other
@@ -20,8 +20,8 @@ using FaceTest = std::function<bool(Index face, ExactFallbacks& count)>;
 FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>& values,
                       const std::shared_ptr<const PlanKernel>& kernel);
 
-/// Which triangles are floors while the filters before the clearance go from cell to cell. One for each thread: what is
-/// asked for before its cell's turn is tested on demand, with the same answer.
+/// The floors, while the filters before the clearance go from cell to cell. One for each thread: a triangle needed
+/// before its cell's turn is tested on demand, with the same result.
 class FloorFlags {
  public:
   FloorFlags(const std::vector<char>& walkable, const std::vector<FaceTest>& tests);

@@ -20,14 +20,14 @@
 
 namespace footfall::detail {
 
-/// What a filter says about its own work beside the result, for the user (e.g. "3 vertices merged").
+/// The outcome of a filter beside the result: texts for the user (e.g. "3 vertices merged").
 struct FilterOutcome {
   StatePtr state;
   Text note;  ///< may be empty
   ExactFallbacks fallbacks;
 };
 
-/// One of a step's values asks for what the environment does not have.
+/// Thrown when one of a step's values needs something that the environment does not have.
 struct ValueError : InputError {
   ValueError(std::size_t index, Text text) : InputError(std::move(text)), value(index) {}
   std::size_t value;  ///< number of the value within its step

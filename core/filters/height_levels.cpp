@@ -36,7 +36,7 @@ double sufficientHeight(const SourceMesh& mesh, double height) {
   // Any would do: one that makes no number wider.
   if (extent == 0) return std::clamp(height, std::ldexp(1.0, mesh.grid.low), std::ldexp(1.0, mesh.grid.top));
   int exponent = 0;
-  std::frexp(extent, &exponent);  // below 2^exponent, and not only after rounding: that is a double
+  std::frexp(extent, &exponent);  // The extent is below 2^exponent, and not only after rounding: that is a double.
   return std::min(height, std::ldexp(1.0, exponent));
 }
 

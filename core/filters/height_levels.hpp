@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// The kernel, or one with the same mesh that knows a level more.
+/// The kernel, or one with the same mesh that has one more level.
 std::shared_ptr<const PlanKernel> kernelWithHeight(const std::shared_ptr<const PlanKernel>& kernel, double height);
 
 /// A height above the whole extent in z lets no obstacle escape, and neither does any other: the smallest power of two

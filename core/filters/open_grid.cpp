@@ -14,7 +14,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLeastRise = 0x1p-1000;  ///< of an edge whose quotients are numbers
+constexpr double kLeastRise = 0x1p-1000;  ///< least rise of an edge whose quotients are numbers
 
 struct Interval {
   double low = kInfinity, high = -kInfinity;
@@ -92,14 +92,14 @@ class Slices {
   }
 
   OpenGrid::Outline corners_;
-  std::array<double, 3> perHeight_{}, margins_{};  ///< of the edge from each corner
+  std::array<double, 3> perHeight_{}, margins_{};  ///< slope and margin of the edge from each corner
   double error_ = 0;
   Interval widths_, heights_;
 };
 
 namespace {
 
-/// Whether an edge of the first triangle certainly has the second one on its outer side.
+/// True when an edge of the first triangle certainly has the second one on its outer side.
 bool isBeside(const OpenGrid::Outline& triangle, const OpenGrid::Outline& other, double slack) {
   for (std::size_t k = 0; k < 3; ++k) {
     const ApproximatePoint &a = triangle[k], &b = triangle[(k + 1) % 3];
@@ -224,7 +224,7 @@ bool OpenGrid::mayReach(const Outline& outline) const {
   });
 }
 
-// By boxes; most of a crowd goes here.
+// A test by boxes; it removes most of a crowd.
 bool OpenGrid::mayMeet(const Outline& outline) const {
   Interval columns, rows;
   double error = 0, largest = 0;

@@ -1,4 +1,4 @@
-// Which parts of a face are still open, on a grid: what certainly lies beside them needs no exact look.
+// The parts of a face that are still open, on a grid: triangles certainly beside them need no exact look.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,7 +22,7 @@ class Slices;
 /// at most 2^-53 of the edge's coordinates; a margin of 2^-49 of those covers them. Upright edges have none.
 class OpenGrid {
  public:
-  using Outline = std::array<ApproximatePoint, 3>;  ///< of a triangle; either way round
+  using Outline = std::array<ApproximatePoint, 3>;  ///< outline of a triangle; either way round
 
   /// Opens all cells that the face reaches.
   OpenGrid(const PlanKernel& kernel, Index face);
@@ -33,11 +33,11 @@ class OpenGrid {
   void open(const Outline& triangle);
   /// Closes the cells that lie in a triangle.
   void cover(const Outline& triangle);
-  /// Whether a triangle may reach something open.
+  /// True when a triangle may reach something open.
   [[nodiscard]] bool mayReach(const Outline& triangle) const;
   [[nodiscard]] bool isClosed() const;
 
-  static constexpr std::size_t kCells = 64;  ///< in a row, and rows
+  static constexpr std::size_t kCells = 64;  ///< number of cells in a row, and of rows
   [[nodiscard]] bool isOpen(std::size_t column, std::size_t row) const { return (open_[row] >> column & 1) != 0; }
   /// The middle of a cell, rounded.
   [[nodiscard]] std::array<double, 2> middle(std::size_t column, std::size_t row) const {
@@ -53,7 +53,7 @@ class OpenGrid {
   /// Calls visit(row) for each row that may have something in common with heights from low to high; until it is true.
   template <class Visit>
   bool visitRows(double low, double high, const Visit& visit) const;
-  /// Whether the box of a triangle meets an open cell.
+  /// True when the box of a triangle meets an open cell.
   [[nodiscard]] bool mayMeet(const Outline& triangle) const;
   [[nodiscard]] Row cellsMet(const Slices& triangle, std::size_t row) const;
 
@@ -61,7 +61,7 @@ class OpenGrid {
   double columnsPerUnit_ = 0, rowsPerUnit_ = 0;
   std::array<Row, kCells> open_{};
   Row openColumns_ = 0;  ///< columns with an open cell
-  /// What was opened since all was closed, while it is little: cells are coarse beside thin triangles.
+  /// The triangles opened since all was closed, while they are few: cells are coarse beside thin triangles.
   std::vector<Outline> opened_;
   bool areAllListed_ = true;
   double slack_;

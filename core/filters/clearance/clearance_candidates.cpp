@@ -124,8 +124,8 @@ std::span<const ClearanceCandidate> ClearanceCandidates::findAmong(Index face, s
   return candidates_;
 }
 
-// What is not known and overlaps a level floor in the plan begins above the known clearance. Above other floors its
-// corners can be anywhere.
+// An unknown obstacle that overlaps a level floor in the plan begins above the known clearance. Its corners can be
+// anywhere above other floors.
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const std::vector<Index>& known,
                                                               double knownHeight) {
   begin(face);
@@ -135,7 +135,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
     return candidates_;
   }
   mayLeaveOut_ = false;
-  isCoverSought_ = true;  // what is found twice must not count twice
+  isCoverSought_ = true;  // Obstacles found twice must not count twice.
   for (const Index obstacle : known)
     if (!onlyTouches(obstacle)) consider(obstacle);
   if (knownHeight < height_) {
@@ -156,7 +156,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   return candidates_;
 }
 
-// What the box of a part does not cross, the face's own may.
+// The face's own box may cross parts that the box of a part does not.
 void ClearanceCandidates::search(const Box& box, bool isPart) {
   if (exactTree_ && !isPart) {
     mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
@@ -204,9 +204,9 @@ void ClearanceCandidates::consider(Index obstacle) {
   if (mayLeaveOut_) findOpenCells();
 }
 
-// What closes nothing that is still open need not be known: with it or without it the same cells are open in the end,
-// and what reaches those is never left out. Cuts that depend on floors are never found again from what is known, so
-// that nobody misses it later.
+// An obstacle that closes no open cell is not needed: the same cells are open in the end with or without it, and
+// obstacles that reach those are never left out. Cuts that depend on floors are never derived from known ones, so it is
+// not missed later.
 bool ClearanceCandidates::isLeftOut(Index obstacle) const {
   return openCells_ && mesh_.facing[obstacle] != 0 &&
          !openCells_->mayReach(outlineInPlan(kernel_, obstacle, mesh_.triangles[face_][0]));
@@ -223,8 +223,8 @@ void ClearanceCandidates::closeCells(const ClearanceCandidate& candidate) {
     openCells_->cover(outlineInPlan(kernel_, candidate.obstacle, mesh_.triangles[face_][0]));
 }
 
-// In a deep crowd most floors are covered many times over, and a few obstacles tell. Cells are asked in an order that
-// spreads, so that floors with something open are soon known.
+// In a deep crowd most floors are covered many times over, and a few obstacles prove it. Cells are tested in an order
+// that spreads, so that floors with something open are found soon.
 bool ClearanceCandidates::proveCover() {
   const Index origin = mesh_.triangles[face_][0];
   const Vec3& base = mesh_.vertices[origin];
@@ -258,7 +258,7 @@ bool ClearanceCandidates::proveCover() {
 }
 
 // Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
-// double; when they are equal, the residual tells.
+// double; when they are equal, the residual decides.
 int ClearanceCandidates::compareToCeiling(double z) const {
   const double difference = z - floorZ_;
   if (difference != height_) return difference > height_ ? 1 : -1;
@@ -303,7 +303,8 @@ ClearanceCandidates::HeightBits ClearanceCandidates::filteredHeights(const std::
       const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
       const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
       const double value = tx + ty + tz;
-      // At most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's rounding.
+      // The bound: at most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's
+      // rounding.
       const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
                             ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
                                kInflate +
@@ -339,7 +340,7 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   const Vec3& at = mesh_.scaled[vertex];
   const double left = line.dx * (at.y - line.y), right = line.dy * (at.x - line.x);
   const double value = left - right;
-  // As in PlanKernel::orientation.
+  // The bound is that of PlanKernel::orientation.
   const double bound = (std::fabs(left) + std::fabs(right)) * (6 * 0x1p-53) + kernel_.sign().slack;
   if (value > bound) return 1;
   if (value < -bound) return -1;
@@ -425,7 +426,7 @@ bool ClearanceCandidates::onlyTouches(Index obstacle) const {
   return false;
 }
 
-// Whether an edge of the obstacle has the whole face on its outer side.
+// True when an edge of the obstacle has the whole face on its outer side.
 bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
   const auto& o = mesh_.triangles[candidate.obstacle];
   const bool isTurned = mesh_.facing[candidate.obstacle] < 0;

@@ -25,7 +25,8 @@ namespace footfall::detail {
 struct ClearanceCandidate {
   using Signs = std::array<std::int8_t, 3>;
   Index obstacle = -1;
-  Signs floor{}, ceiling{};      ///< for each corner of the obstacle: its height against the floor and the clearance
+  Signs floor{}, ceiling{};      ///< signs of each of the obstacle's corners: its height against the floor and the
+                                 ///< clearance
   std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
   /// [edge of the obstacle, counter-clockwise in the plan][corner of the face]: +1 inside; not of walls. The edge k is
   /// that between the corners k and k + 1.
@@ -34,7 +35,7 @@ struct ClearanceCandidate {
 
   /// The whole triangle takes from the floor what lies under it.
   [[nodiscard]] bool takesAll() const;
-  /// Of an obstacle that is no wall: all of the face lies under it.
+  /// True when all of the face lies under the obstacle, which is no wall.
   [[nodiscard]] bool coversFace() const;
   /// ... or what lies beside the start of the face's edge from corner 0 to 1.
   [[nodiscard]] bool coversStart() const;
@@ -62,15 +63,16 @@ class ClearanceCandidates {
   std::span<const ClearanceCandidate> findAmong(Index face, std::span<const Index> obstacles);
 
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
-  /// Whether the candidates lie so deep that looking what covers what pays. Depends on them alone, not on the search.
+  /// True when the candidates lie so deep that finding out what covers what pays. Depends on them alone, not on the
+  /// search.
   [[nodiscard]] bool areCrowd() const { return crowding_->isCrowd(); }
   [[nodiscard]] const Crowding& crowding() const { return *crowding_; }
-  /// Whether the candidates were proven to cover the whole face. Depends on them alone, not on the search.
+  /// True when the candidates were proven to cover the whole face. Depends on them alone, not on the search.
   [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
-  /// Of a crowd with floors in the face's own plane, the cells that no obstacle covers alone; else null. All obstacles
-  /// that reach an open cell were found, of the others only some. The cells depend on the environment alone.
+  /// The cells that no obstacle covers alone, for a crowd with floors in the face's own plane; else null. All obstacles
+  /// that reach an open cell were found, and some of the others. The cells depend on the environment alone.
   [[nodiscard]] const OpenGrid* openCells() const { return openCells_ ? &*openCells_ : nullptr; }
-  /// Whether some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
+  /// True when some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
   [[nodiscard]] bool dependsOnFloors() const { return dependsOnFloors_; }
 
   ExactFallbacks fallbacks;
@@ -102,25 +104,25 @@ class ClearanceCandidates {
   [[nodiscard]] Line lineThrough(Index from, Index to) const;
   /// Side of the line on which the source vertex lies in the plan: +1 left.
   [[nodiscard]] int sideOf(const Line& line, Index vertex);
-  /// Whether the boxes of face and obstacle have no more in common, in the plan, than a border on which nothing of the
+  /// True when the boxes of face and obstacle share, in the plan, no more than a border on which nothing of the
   /// obstacle can stand on the face. False says nothing.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
-  /// On which sides of a triangle's edges the corners of another one lie, with exactOrientations_: +1 left.
+  /// The sides of a triangle's edges on which the corners of another one lie, with exactOrientations_: +1 left.
   [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
   /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with
   /// `leastRight` on its right, stays 0.
   template <class LineOf>
   [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle, int leastRight);
   void findEdgesInBox();
-  /// Whether an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
+  /// True when an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);
   [[nodiscard]] bool isWallApart(Index wall);
-  /// Whether each cell of a grid over the face lies under one obstacle that takes all.
+  /// True when each cell of a grid over the face lies under one obstacle that covers all of it.
   bool proveCover();
   /// Makes openCells() of the candidates when that is due.
   void findOpenCells();
   void closeCells(const ClearanceCandidate& candidate);
-  /// Whether a search need not look at the obstacle any closer.
+  /// True when a search need not look at the obstacle any closer.
   [[nodiscard]] bool isLeftOut(Index obstacle) const;
 
   const PlanKernel& kernel_;
@@ -134,9 +136,9 @@ class ClearanceCandidates {
   bool exactOrientations_ = false, exactHeights_ = false, exactTree_ = false;
 
   Index face_ = -1;
-  Box box_;  ///< of the face and the clearance above it
+  Box box_;  ///< box of the face and the clearance above it
   // the face's edges in the plan, from corner k to k + 1
-  PlanEdges planEdges_{};        ///< with exactOrientations_
+  PlanEdges planEdges_{};        ///< used with exactOrientations_
   std::array<Line, 3> edges_{};  ///< otherwise
   /// [axis][lower, upper]: from where to where, along the other axis, an edge of the face lies in that side of box_; of
   /// a side with no edge the first is the larger.

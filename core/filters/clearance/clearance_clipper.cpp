@@ -215,7 +215,7 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
   return !grid.isClosed();
 }
 
-// Where two obstacles share an edge and lie on either side of it, nobody needs it: most edges vanish before anything is
+// An edge that two obstacles share, lying on either side of it, is not needed: most edges vanish before anything is
 // computed of them.
 void ClearanceClipper::addWholeArea(const ClearanceCandidate& candidate) {
   if (candidate.coversStart()) ++startWinding_;
@@ -391,7 +391,7 @@ bool ClearanceClipper::clipToFace(Index line, Place& first, Place& last, const C
     if (a <= 0 && b <= 0 && !(a == 0 && b == 0)) return false;
     if (a * b >= 0) continue;
     const Index p = geometry_.crossing(line, k);
-    // As with keepPositive(): where both ends lie on another edge, what lies between them does.
+    // The same as in keepPositive(): when both ends lie on another edge, so does the part between them.
     const int both = geometry_.border(first.point) & geometry_.border(last.point);
     geometry_.addBorder(p, static_cast<std::uint8_t>(1 << k | both));
     (a < 0 ? first : last) = {p, -1, -1};

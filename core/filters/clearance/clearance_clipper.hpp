@@ -17,17 +17,17 @@
 
 namespace footfall::detail {
 
-/// What is known of a face from before an edit, in numbers of the present mesh, and what the edit changed.
+/// The data of a face from before an edit, in numbers of the present mesh, and the changes of the edit.
 struct EarlierCuts {
   const FaceCuts& cuts;  ///< may name what went, within `changed`
   const LargeFace& memory;
-  const std::vector<Index>& standing;  ///< what stood above it and still exists, ascending
+  const std::vector<Index>& standing;  ///< obstacles that stood above it and still exist, ascending
   const std::vector<Index>& added;     ///< the triangles that came, ascending
-  std::vector<Box> gone;               ///< of what stood above it and went, but for walls
+  std::vector<Box> gone;               ///< boxes of the obstacles that stood above it and went, without walls
   std::array<Box, 2> changed;          ///< around all that went or came and may reach into the clearance above it
 };
 
-/// What becomes of it.
+/// The result of an update.
 struct UpdatedCuts {
   FaceCuts cuts;
   LargeFace memory;
@@ -51,7 +51,7 @@ class ClearanceClipper : private FaceCutter {
   /// clipped as a whole.
   std::optional<UpdatedCuts> update(Index face, const EarlierCuts& earlier);
 
-  /// What an update() needs of the cuts that clip() made last; null where there is little to gain.
+  /// The data of the last clip() that update() needs; null when there is little to gain.
   [[nodiscard]] std::shared_ptr<const LargeFace> largeFace(const FaceCuts& cuts) const;
 
   /// The cuts on the part of a face that lies on the cell's sides, for a kernel that has their borders.
@@ -60,7 +60,7 @@ class ClearanceClipper : private FaceCutter {
   /// The cuts on a face of which the shares of all cells that it has a part in are given: those that clip() finds.
   FaceCuts joinShares(Index face, std::span<const FaceShare> shares);
 
-  /// What the last clip() or clipShare() found in the clearance, ascending.
+  /// The obstacles that the last clip() or clipShare() found in the clearance, ascending.
   [[nodiscard]] std::vector<Index> candidates() const;
 
   [[nodiscard]] ExactFallbacks fallbacks() const;
@@ -84,7 +84,7 @@ class ClearanceClipper : private FaceCutter {
   bool addArea(const ClearanceCandidate& candidate);
   void addWholeArea(const ClearanceCandidate& candidate);
   bool isWallOfEdge(const ClearanceCandidate& candidate);
-  /// Whether a wall reaches into the clearance at the place of its corner j.
+  /// True when a wall reaches into the clearance at the place of its corner j.
   [[nodiscard]] bool reachesAt(const ClearanceCandidate& candidate, int j) const;
   void addWall(const ClearanceCandidate& candidate);
   void addWallPiece(Index line, Index first, Index last);
@@ -101,7 +101,7 @@ class ClearanceClipper : private FaceCutter {
   bool clipToFace(Index line, Place& first, Place& last, const ClearanceCandidate& candidate);
   void clipToLevel(Polygon& polygon, Index obstacle, bool ceiling);
   void clipToSide(Polygon& polygon, std::size_t side);
-  /// Whether the whole triangle lies beyond the border, strictly.
+  /// True when the whole triangle lies beyond the border, strictly.
   [[nodiscard]] bool isInside(std::size_t side, Index triangle) const;
   int sideOfCell(std::size_t side, Index point);
 

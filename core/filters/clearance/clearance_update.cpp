@@ -1,4 +1,4 @@
-// How a ClearanceClipper cuts a face anew only near what changed.
+// The part of ClearanceClipper that cuts a face anew only near changes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Cuts are a sum: windings of all obstacles' outlines, and walls. What ends beside the boxes around all that came and
@@ -54,7 +54,7 @@ class ChangedPlaces {
     isSafe_ = largest * 0x1p-48 < margin * kPartOfMargin && largestError_ > std::numeric_limits<double>::min();
   }
 
-  /// Whether margins are wider than all roundings, but for those of points.
+  /// True when margins are wider than all roundings, but for those of points.
   [[nodiscard]] bool isSafe() const { return isSafe_; }
   [[nodiscard]] bool isSafe(const ApproximatePoint& point) const { return point.error <= largestError_; }
   /// False: the point, with a small enough error, lies beside the boxes.
@@ -122,7 +122,8 @@ std::vector<Index> endsAlongCurve(const FaceGeometry& geometry, const std::vecto
   return order;
 }
 
-// For each line of the earlier cuts itself, or the number of the same one among the new lines, all behind them.
+// The line itself, for each of the earlier cuts' lines, or the number of the same one among the new lines, which follow
+// all of them.
 std::vector<Index> sameLines(std::span<const PlanLine> then, const std::vector<std::pair<PlanLine, Index>>& now) {
   const auto keyOf = [](const PlanLine& l) { return std::tie(l.kind, l.a, l.b); };
   std::vector<Index> same(then.size());
@@ -137,7 +138,7 @@ std::vector<Index> sameLines(std::span<const PlanLine> then, const std::vector<s
 
 }  // namespace
 
-// Of what may stand above the face, what overlaps the boxes in the plan.
+// The obstacles that may stand above the face and overlap the boxes in the plan.
 std::vector<Index> ClearanceClipper::standingNear(const EarlierCuts& earlier, const std::array<Box, 2>& around) const {
   std::vector<Index> near;
   std::vector<std::int32_t> stack;
@@ -156,7 +157,7 @@ std::vector<Index> ClearanceClipper::standingNear(const EarlierCuts& earlier, co
   return near;
 }
 
-// Of all that stands above the face now; none where that has to be looked at as a whole.
+// The data of all obstacles above the face now; none when it must be processed as a whole.
 std::optional<LargeFace> ClearanceClipper::depthsNow(const EarlierCuts& earlier) const {
   Crowding crowding(mesh_, face_);
   crowding.restart(face_, earlier.memory.depths, earlier.memory.areas);

@@ -1,4 +1,4 @@
-// How a ClearanceClipper cuts along walls.
+// The part of ClearanceClipper that cuts along walls.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
@@ -47,7 +47,7 @@ void ClearanceClipper::addWall(const ClearanceCandidate& candidate) {
   Index line = -1;
   for (int k = 0; k < 3 && line < 0; ++k)
     if (plan[o[k]] != plan[o[next(k)]]) line = geometry_.edgeLine(plan[o[k]], plan[o[next(k)]]);
-  // Along a line plan ids ascend or descend, and an edge's line runs to the larger one.
+  // Plan ids ascend or descend along a line, and an edge's line runs to the larger one.
   int low = 0, high = 0;
   for (int k = 1; k < 3; ++k) {
     if (plan[o[k]] < plan[o[low]]) low = k;
@@ -68,7 +68,8 @@ std::pair<ClearanceClipper::Place, ClearanceClipper::Place> ClearanceClipper::en
     const ClearanceCandidate& candidate, Index line) {
   const auto& o = mesh_.triangles[candidate.obstacle];
   const auto& plan = mesh_.planIds;
-  // Where the wall reaches into the clearance: its corners there, and where its edges pass floor and ceiling.
+  // The places where the wall reaches into the clearance: its corners there, and the crossings of its edges with floor
+  // and ceiling.
   std::array<Place, 9> places;
   int count = 0;
   const auto addPlace = [&](const PlanPoint& point, int from, int to) {
@@ -96,7 +97,7 @@ std::pair<ClearanceClipper::Place, ClearanceClipper::Place> ClearanceClipper::en
   return {first, last};
 }
 
-// What of a wall stands over the face, from one end to the other along its line.
+// Adds the part of a wall over the face, from one end to the other along its line.
 void ClearanceClipper::addWallPiece(Index line, Index first, Index last) {
   if (first == last) return;
   for (int k = 0; k < 3; ++k) {

@@ -53,7 +53,7 @@ void Crowding::remove(const Box& obstacle) {
 
 void Crowding::count(const Box& box, bool isRemoved) {
   if (isCrowd() && !isRemoved) return;  // it stays one, and sums do not overflow
-  // Of each part of the face's box along an axis the share that the obstacle's box covers, and which have one.
+  // The share of each part of the face's box along an axis that the obstacle's box covers, and the parts that have one.
   std::array<std::array<double, kParts>, 2> shares{};
   std::array<std::size_t, 2> first{}, last{};
   for (const std::size_t axis : {0, 1}) {

@@ -1,4 +1,5 @@
-// Whether obstacles lie so deep above a floor that most of their outlines lie inside what others take away anyway.
+// Decides whether obstacles lie so deep above a floor that most of their outlines lie inside the area that others
+// remove anyway.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +12,12 @@
 
 namespace footfall::detail {
 
-/// How often the outlines of obstacles over a floor may cross, as a measure: the squares of the depths in which their
-/// boxes lie above parts of it. In whole numbers, which are the same sum in any order.
+/// A measure of the crossings of obstacle outlines over a floor: the squares of the depths in which their boxes lie
+/// above parts of it. In whole numbers, which are the same sum in any order.
 class Crowding {
  public:
   static constexpr std::size_t kParts = 8;  ///< along each axis
-  /// How deep obstacles lie over each part of a face.
+  /// The depth of obstacles over each part of a face.
   using Depths = std::array<std::uint64_t, kParts * kParts>;
 
   Crowding(const SourceMesh& mesh, Index face);
@@ -29,17 +30,17 @@ class Crowding {
   void remove(const Box& obstacle);
   /// Known of many obstacles that are no crowd; else null.
   [[nodiscard]] const Depths* depths() const { return areas_ >= kFewest && !isCrowd() ? &depths_ : nullptr; }
-  /// How many obstacles were added that are no walls.
+  /// The number of added obstacles that are no walls.
   [[nodiscard]] std::size_t areas() const { return areas_; }
   /// Deep enough for looking what covers what to pay: 24 deep everywhere, or deeper in some part. More obstacles never
   /// make a crowd less of one.
   [[nodiscard]] bool isCrowd() const { return areas_ >= kFewest && squares_ >= kMostSquares; }
-  /// What the boxes of face and obstacle have in common in the plan.
+  /// The common area of the boxes of face and obstacle in the plan.
   [[nodiscard]] double commonArea(Index obstacle) const;
 
  private:
   static constexpr std::size_t kFewest = 64;
-  static constexpr std::uint64_t kUnits = 1 << 10;  ///< of depth
+  static constexpr std::uint64_t kUnits = 1 << 10;  ///< units of depth
   static constexpr std::uint64_t kMostSquares = kParts * kParts * (24 * kUnits) * (24 * kUnits);
 
   void count(const Box& obstacle, bool isRemoved = false);

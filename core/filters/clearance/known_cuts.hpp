@@ -1,4 +1,4 @@
-// What an earlier run of the clearance filter knows of each face.
+// The results of an earlier run of the clearance filter for each face.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class KnownCuts {
       : earlier_(earlier), state_(state), height_(height) {
     if (!earlier_) return;
     const WalkableState& before = earlier_->state();
-    // On a grid with another slack doubles may know less, or more, of the same points, and round them otherwise.
+    // Doubles may resolve less, or more, of the same points on a grid with another slack, and round them otherwise.
     sameClearance_ = before.memory->clearance == height && before.kernel->heights() == state.kernel->heights() &&
                      before.kernel->sign().slack == state.kernel->sign().slack;
     for (std::size_t t = 0; t < state.walkable.size() && !floorsDiffer_; ++t) {
@@ -36,19 +36,19 @@ class KnownCuts {
     if (then < 0 || earlier_->state().walkable[then] == 0) return -1;
     return floorsDiffer_ && (*earlier_->state().cuts)[then].dependsOnFloors ? -1 : then;
   }
-  /// Whether standing() is complete: it leaves out what was in the face's plane and no floor, and what nobody looked
-  /// for because others covered the face. And whether it is short: where much came, the index of the environment finds
-  /// what stands above a face sooner.
+  /// True when standing() is complete and short. It leaves out triangles in the face's plane that were no floors, and
+  /// obstacles that were not looked for because others covered the face. When many obstacles came, the index of the
+  /// environment is faster.
   [[nodiscard]] bool knowsAll(Index faceBefore) const {
     constexpr std::size_t kMostAdded = 256;
     return earlier_ && earlier_->added().size() <= kMostAdded && faceBefore >= 0 &&
            !earlier_->state().cuts->isRemoved(faceBefore) && !(*earlier_->state().cuts)[faceBefore].dependsOnFloors;
   }
-  /// Whether something came or went in the clearance above the face.
+  /// True when something came or went in the clearance above the face.
   [[nodiscard]] bool isTouched(Index face) const {
     return earlier_->isTouched(clearanceBox(state_.kernel->mesh(), face, std::max(height_, clearance())));
   }
-  /// Around what came and went there.
+  /// The boxes around the obstacles that came and went there.
   [[nodiscard]] std::array<Box, 2> changedAt(Index face) const {
     return earlier_->changedIn(clearanceBox(state_.kernel->mesh(), face, height_));
   }

@@ -1,4 +1,4 @@
-// The signs of a number at each corner of a triangle, as bits that are decided and asked at once.
+// The signs of a number at each corner of a triangle, as bits that are decided and tested together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,7 +12,7 @@ namespace footfall::detail {
 
 /// A number at each of three corners.
 struct Three {
-  Double2 first;  ///< at the corners 0 and 1
+  Double2 first;  ///< values at the corners 0 and 1
   double last;
 };
 
@@ -28,7 +28,7 @@ struct ThreeSigns {
   /// +1, 0 or -1 of each corner.
   [[nodiscard]] const std::array<std::int8_t, 3>& each() const { return kEach[negative << 3U | positive]; }
 
-  /// Of numbers without rounding: what `numbers - bound` is.
+  /// The signs of `numbers - bound`, for numbers without rounding.
   static ThreeSigns above(const Three& numbers, double bound) {
     return {maskOf(numbers.first > bound) | (numbers.last > bound ? 4U : 0U),
             maskOf(numbers.first < bound) | (numbers.last < bound ? 4U : 0U)};
@@ -43,7 +43,7 @@ struct ThreeSigns {
   }();
 };
 
-/// Whether at least two bits are set.
+/// True when at least two bits are set.
 [[nodiscard]] constexpr bool hasTwo(unsigned bits) { return (bits & (bits - 1)) != 0; }
 
 /// The edges of a triangle in the plan (corner k to k + 1) as lines a x + b y + c, which are positive to the left.
@@ -60,14 +60,14 @@ struct PlanEdges {
     c = {x * nextY - nextX * y, r.x * p.y - p.x * r.y};
   }
 
-  /// On which side of each edge the place lies.
+  /// The side of each edge on which the place lies.
   [[nodiscard]] ThreeSigns sidesOf(const Vec3& place) const {
     return ThreeSigns::above(
         {a.first * place.x + b.first * place.y + c.first, a.last * place.x + b.last * place.y + c.last}, 0);
   }
 };
 
-/// On which side of each edge of one triangle the corners of another one lie.
+/// The sides of one triangle's edges on which the corners of another one lie.
 using CornerSides = std::array<ThreeSigns, 3>;
 
 }  // namespace footfall::detail

@@ -42,7 +42,7 @@ class DropFinder {
     Index triangle = -1;
     bool isLinked = false;  ///< one steps over it
   };
-  /// What edges are tried with; one for each thread.
+  /// The data for trying edges; one for each thread.
   struct Worker {
     BorderKinds kinds;
     std::vector<MeshDrop> drops;
@@ -65,7 +65,7 @@ class DropFinder {
   const WalkableMesh& mesh_;
   DropLevels levels_;
   RunContext& context_;
-  std::vector<Vec3> places_;  ///< of the mesh's vertices: the nearest doubles, scaled
+  std::vector<Vec3> places_;  ///< places of the mesh's vertices: the nearest doubles, scaled
   std::vector<Border> borders_;
   Tree borderTree_, triangleTree_;
   ExactFallbacks fallbacks_;

@@ -11,8 +11,8 @@
 
 namespace footfall::detail {
 
-/// For each triangle the layer that LayerSubdivisionFilter gives it. `overlaps` are all pairs of triangles that overlap
-/// in the plan, each once, in any order; of vertices only `z` is read.
+/// The layer that LayerSubdivisionFilter gives each triangle. `overlaps` are all pairs of triangles that overlap in the
+/// plan, each once, in any order; only `z` of vertices is read.
 std::vector<std::uint32_t> layersOf(const WalkableMesh& mesh, const Adjacency& topology,
                                     std::vector<std::array<Index, 2>> overlaps, RunContext& context);
 

@@ -58,7 +58,7 @@ LayerCover::Tree::Bounds LayerCover::boundsOf(Index triangle) const {
           {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
 }
 
-// By rounded coordinates with their bounds: false says nothing.
+// Decided by rounded coordinates with their bounds: false says nothing.
 bool LayerCover::isInside(const Cell& cell, const PlanTriangle& t) const {
   const double side = std::ldexp(2 * kHalfSide, -cell.level);
   const double left = -kHalfSide + side * cell.x, bottom = -kHalfSide + side * cell.y;

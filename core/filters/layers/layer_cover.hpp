@@ -1,5 +1,5 @@
-// Which layers may a piece of the walkable area go to? For pieces so much above each other that a list of all
-// overlapping pairs would be far longer than the mesh.
+// Finds the layers to which a piece of the walkable area may go. Made for pieces so much above each other that a list
+// of all overlapping pairs would be far longer than the mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -36,7 +36,7 @@ class LayerCover {
   [[nodiscard]] Piece pieceOf(std::span<const Index> triangles) const;
 
   [[nodiscard]] std::uint32_t layerCount() const { return static_cast<std::uint32_t>(layers_.size()); }
-  /// Whether the piece overlaps nothing of the layer in the plan.
+  /// True when the piece overlaps nothing of the layer in the plan.
   [[nodiscard]] bool isFree(const Piece& piece, std::uint32_t layer);
   /// The first layer of which the piece overlaps nothing; layerCount() when there is none.
   [[nodiscard]] std::uint32_t firstFree(const Piece& piece);

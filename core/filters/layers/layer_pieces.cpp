@@ -30,7 +30,7 @@ class RegionSubdivision {
  private:
   void growPieces() {
     for (const Index t : triangles_) piece_[t] = kNone;
-    std::priority_queue<Index, std::vector<Index>, std::greater<>> front;  // of ranks
+    std::priority_queue<Index, std::vector<Index>, std::greater<>> front;  // queue of ranks
     std::size_t polls = 0;
     for (const Index lowest : ranks_) {
       const Index seed = input_.byHeight[lowest];

@@ -14,9 +14,9 @@
 
 namespace footfall::detail {
 
-/// For each triangle (or piece) a list of others, one after another.
+/// The list of others for each triangle (or piece), one after another.
 struct IndexLists {
-  std::vector<Index> first;  ///< for each, and one more at the end
+  std::vector<Index> first;  ///< start of each list, and the end
   std::vector<Index> items;
 
   [[nodiscard]] std::span<const Index> operator[](Index t) const {
@@ -24,7 +24,7 @@ struct IndexLists {
   }
 };
 
-/// What subdividing a region needs to know; shared by all threads.
+/// The input for subdividing a region; shared by all threads.
 struct LayerInput {
   /// Triangles in the order of growth, by the height of the lowest corner and then by number, and for each triangle its
   /// place there; only those of regions that are subdivided.

@@ -1,4 +1,4 @@
-// Which triangles of a walkable mesh lie above one another?
+// Finds which triangles of a walkable mesh lie above one another.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 namespace footfall::detail {
 
 /// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order. Empty when
-/// there are more than `most`. `tested` (may be null) gets of how many pairs it was asked exactly.
+/// there are more than `most`. `tested` (may be null) gets the number of pairs that were tested exactly.
 std::optional<std::vector<std::array<Index, 2>>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                                   const Adjacency& topology, std::size_t most,
                                                                   RunContext& context, ExactFallbacks& fallbacks,

@@ -1,4 +1,4 @@
-// Which parts of which triangles straight walks from an edge, or from a place, reach.
+// Finds the parts of triangles that straight walks from an edge, or from a place, reach.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -40,7 +40,7 @@ class BeamTracer {
       visit(entry, view);
     }
   }
-  /// By triangle, and then along; those of one triangle that are not more than `apart` apart are one.
+  /// Sorts by triangle, and then along; windows of one triangle that are at most `apart` apart become one.
   const std::vector<BeamWindow>& join(double apart) {
     const auto orderOf = [](const BeamWindow& w) { return std::tuple(w.triangle, w.low, w.high); };
     std::sort(windows_.begin(), windows_.end(),
@@ -98,7 +98,7 @@ class BeamTracer {
   std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
   NumberedTable<Index> seen_;                               ///< sides that were entered
-  std::vector<std::vector<std::array<double, 2>>> ranges_;  ///< of each of them
+  std::vector<std::vector<std::array<double, 2>>> ranges_;  ///< ranges of each of them
   std::vector<BeamWindow> windows_;
 };
 

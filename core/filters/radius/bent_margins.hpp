@@ -1,8 +1,8 @@
 // Margins of the larger of two distances, by shortest walks, which bend round corners (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Where walls and ledges keep different distances away, what hides a border may keep less away than that border does,
-// and does not take what is behind it. There D(p) is the least length of any walk from p, not only of a straight one:
+// With different distances to walls and ledges, the border that hides another one may keep less away than that one, and
+// does not remove the places behind it. There D(p) is the least length of any walk from p, not only of a straight one:
 // a straight walk is one of them, so that all goes that a definition by straight ones takes, and with one distance both
 // take the same, since a walk that bends at a corner is longer than its part as far as that.
 //
@@ -51,9 +51,9 @@ class BentMargins {
   BentMargins(const MarginSurface& surface, const ClipBox& box, const std::vector<BorderChain>& chains,
               const std::vector<double>& asked, const ArcSteps& arcs, RunContext& context);
 
-  /// Whether the margins of a chain and of its ends are among those that find() returns.
+  /// True when the margins of a chain and of its ends are among those that find() returns.
   [[nodiscard]] bool has(Index chain) const { return isBent_[chain] != 0; }
-  /// In an order that depends on the surface alone.
+  /// The margins, in an order that depends on the surface alone.
   [[nodiscard]] std::vector<Margin> find() const;
 
  private:
@@ -75,7 +75,7 @@ class BentMargins {
     Index corner = -1;
     double passed = 0;
     PlanVector along;
-    double doubt = 0;  ///< of the direction
+    double doubt = 0;  ///< doubt of the direction
   };
   struct Found {
     std::vector<Margin> margins;
@@ -105,10 +105,10 @@ class BentMargins {
   const std::vector<double>& asked_;
   ArcSteps arcs_;
   RunContext& context_;
-  std::size_t arcCount_ = 0;  ///< of a whole turn
+  std::size_t arcCount_ = 0;  ///< number of arcs of a whole turn
   double larger_ = 0, smaller_ = 0;
   std::vector<char> isBent_;
-  std::vector<Index> cornerOf_;  ///< of each side that begins at a corner where walks bend: the chain that ends there
+  std::vector<Index> cornerOf_;  ///< chain that ends at the corner, for each side that begins where walks bend
 };
 
 }  // namespace footfall::detail

@@ -37,7 +37,7 @@ void finishChain(BorderChain& chain, const MarginSurface& surface) {
                             kSlack + 2 * surface.error(surface.endVertex(side))});
 }
 
-/// What follows what in the border.
+/// The order of pieces along the border.
 class PieceOrder {
  public:
   PieceOrder(const MarginSurface& surface, const std::vector<BorderPiece>& pieces)
@@ -71,7 +71,7 @@ class PieceOrder {
   [[nodiscard]] Index before(Index piece) const { return before_[piece]; }
   /// Pieces behind which there are several ways on.
   [[nodiscard]] const std::vector<Index>& branches() const { return branches_; }
-  /// Whether the piece behind is of the same kind, and goes straight on.
+  /// True when the piece behind is of the same kind, and goes straight on.
   [[nodiscard]] bool isStraight(Index piece) const { return isStraight_[piece] != 0; }
 
  private:

@@ -12,7 +12,7 @@ namespace footfall::detail {
 struct BorderChain {
   std::vector<Index> sides;
   bool isLedge = false;
-  bool endsInside = false;  ///< of its last side, where another kind begins
+  bool endsInside = false;  ///< its last side ends where another kind begins
   PlanVector begin, end;
   PlanVector along;      ///< a unit vector
   double slack = 0;      ///< "m" (core/filters/radius/margins.hpp)
@@ -21,10 +21,11 @@ struct BorderChain {
   [[nodiscard]] double size() const { return isShort ? 0 : length(end - begin); }
 };
 
-/// Where the surface goes on in several ways behind a border, because floors overlap there, that place is a chain of
+/// The place where the surface continues in several ways behind a border, because floors overlap there, is a chain of
 /// its own with nothing before and behind it, and none has one behind.
 ///
-/// In an order that depends on the surface alone. `pieces` are all of its border, by side and then along it.
+/// The chains, in an order that depends on the surface alone. `pieces` are all of its border, by side and then along
+/// it.
 std::vector<BorderChain> findBorderChains(const MarginSurface& surface, const std::vector<BorderPiece>& pieces);
 
 /// MarginSurface::fanBehind() of a chain; where it ends inside of a side, that side alone.

@@ -15,7 +15,7 @@ struct BorderPiece {
   Index side = -1;
   PlanVector begin, end;
   bool isLedge = false;
-  double error = 0;  ///< how far ends that are no vertices may be off; scaled
+  double error = 0;  ///< error of ends that are no vertices; scaled
 };
 
 /// Whole sides, ascending, nothing known of their kind.

@@ -8,9 +8,10 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kHair = 0x1p-50;  // of an edge: more than the roundings of a quotient of a sum, and of one more sum
+constexpr double kHair = 0x1p-50;  // share of an edge: more than the roundings of a quotient of a sum, and of one more
+                                   // sum
 
-/// How far p is to the left of the line from a to b, times the length of that, to within `error`.
+/// The distance of p to the left of the line from a to b, times the length of that, to within `error`.
 struct Offset {
   double value = 0, error = 0;
 };
@@ -22,7 +23,7 @@ Offset offsetOf(const PlanVector& a, const PlanVector& b, const PlanVector& p) {
   return {left - right, (std::fabs(left) + std::fabs(right)) * 0x1p-50 + std::numeric_limits<double>::min()};
 }
 
-// Where a number that goes from `first` to `last` is not negative, a hair less or more.
+// The part where a number that goes from `first` to `last` is not negative, a hair less or more.
 template <class Stretch>
 void keepPositive(Stretch& stretch, double first, double last, double hair) {
   if (first >= 0 && last >= 0) return;
@@ -102,7 +103,7 @@ bool MarginChoice::add(Index margin) {
 
 namespace {
 
-// Whether stretches of one edge cover one of it.
+// True when stretches of one edge cover one of it.
 template <class Stretch>
 bool cover(const std::vector<Stretch>& stretches, const Stretch& whole) {
   double covered = whole.begin;

@@ -1,10 +1,10 @@
-// Which margins a face needs, and whether they leave anything of it.
+// Chooses the margins that a face needs, and finds whether they leave anything of it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Found in doubles with bounds, and in doubt a margin stays and a face is not covered. Convex sets cover a region R
-// when they cover its outline, and when what lies of their own outlines inside R is in the inside of others: else what
-// is left of R would end at a place of one outline that is inside no other one. So all that is asked is which stretches
-// of straight edges lie in convex polygons.
+// The choice uses doubles with bounds; in doubt a margin stays and a face is not covered. Convex sets cover a region R
+// when they cover its outline, and when the parts of their own outlines inside R are in the inside of others: else the
+// remainder of R would end at a place of one outline that is inside no other one. So the only question is which
+// stretches of straight edges lie in convex polygons.
 #pragma once
 
 #include <array>
@@ -22,7 +22,7 @@ class MarginChoice {
   explicit MarginChoice(const std::vector<Margin>& margins) : margins_(margins) {}
 
   struct Result {
-    bool isCovered = false;           ///< for certain, the margins leave nothing of the face
+    bool isCovered = false;           ///< the margins certainly leave nothing of the face
     std::span<const Index> needed{};  ///< if not: cutting out the others as well would change nothing; ascending
   };
   /// `numbers`: ascending, of margins; `corners`: the face's, scaled, counter-clockwise. Good until the next call.
@@ -34,12 +34,13 @@ class MarginChoice {
     double begin = 0, end = 1;
     [[nodiscard]] bool isEmpty() const { return !(begin < end); }
   };
-  using Outline = std::span<const PlanVector>;  ///< of a convex polygon, counter-clockwise
+  using Outline = std::span<const PlanVector>;  ///< outline of a convex polygon, counter-clockwise
   struct Candidate {
     Index margin = -1;
     Outline outline;
     bool isNeeded = true;
-    std::array<Stretch, 3> onEdges, maybeOnEdges;  ///< of the face, that are inside for certain, or may be
+    std::array<Stretch, 3> onEdges, maybeOnEdges;  ///< stretches of the face's edges that are inside for certain, or
+                                                   ///< may be
   };
   bool add(Index margin);
   static Stretch insideOf(Outline outline, const PlanVector& from, const PlanVector& to);
@@ -47,14 +48,14 @@ class MarginChoice {
   [[nodiscard]] bool areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
                                 const Candidate* first, const Candidate* second) const;
   [[nodiscard]] bool isFaceEdgeCovered(int k, const Stretch& stretch, const Candidate* except) const;
-  /// Whether needed candidates but `except` (may be null) cover the face, or what `except` has of it.
+  /// True when needed candidates but `except` (may be null) cover the face, or the part of it in `except`.
   [[nodiscard]] bool isCovered(const Candidate* except) const;
 
   const std::vector<Margin>& margins_;
   std::array<PlanVector, 3> face_;
   std::vector<Candidate> candidates_;
   std::vector<Index> needed_;
-  mutable std::vector<Stretch> stretches_;  ///< of one edge
+  mutable std::vector<Stretch> stretches_;  ///< stretches of one edge
 };
 
 }  // namespace footfall::detail

@@ -1,4 +1,4 @@
-// Which triangles straight walks from an edge, or from a place, reach.
+// Finds the triangles that straight walks from an edge, or from a place, reach.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,7 +23,7 @@ struct Beams {
   [[nodiscard]] std::array<double, 2> range(const PlanVector& a, const PlanVector& b, double /*lowest*/) const {
     return {std::min(at(a), at(b)), std::max(at(a), at(b))};
   }
-  // Of the part of a side between two beams.
+  // True for the part of a side between two beams.
   [[nodiscard]] bool isNear(const PlanVector& a, const PlanVector& b, double low, double high) const {
     const PlanVector out = leftOf(along);
     const double atA = at(a), atB = at(b), outA = dot(a - origin, out), outB = dot(b - origin, out);
@@ -59,7 +59,7 @@ struct Rays {
     if ((p.x == 0 && p.y == 0) || (q.x == 0 && q.y == 0)) return false;
     return cross(p, q) > -MarginSurface::kShort * length(q - p);
   }
-  // Where a side goes behind the apex, of the two ranges the one that ends behind `lowest`.
+  // The one of the two ranges that ends behind `lowest`, when a side goes behind the apex.
   [[nodiscard]] std::array<double, 2> range(const PlanVector& a, const PlanVector& b, double lowest) const {
     if (distanceToSegment(apex, a, b) < MarginSurface::kShort) return {-2, 2};
     const double first = at(a), last = at(b);
@@ -135,7 +135,7 @@ class Spread {
   std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
   NumberedTable<Index> seen_;                  ///< sides that were entered
-  std::vector<std::array<double, 2>> ranges_;  ///< of each of them
+  std::vector<std::array<double, 2>> ranges_;  ///< ranges of each of them
   std::vector<Index> found_;                   ///< triangles
 };
 

@@ -37,7 +37,7 @@ class MarginSurface {
   static constexpr double kUnit = 0x1p-17;
   static constexpr double kShort = 256 * kUnit;  ///< shorter edges have no direction
   static constexpr double kSlack = 32 * kUnit;
-  static constexpr double kTouch = 0x1p-30;  ///< of turns: what touches is reached
+  static constexpr double kTouch = 0x1p-30;  ///< share of turns: triangles that touch are reached
 
   MarginSurface(const WalkableState& state, RunContext& context);
 
@@ -51,7 +51,7 @@ class MarginSurface {
   [[nodiscard]] Index beginVertex(Index side) const { return corners_.beginOf(side); }
   [[nodiscard]] Index endVertex(Index side) const { return corners_.endOf(side); }
   [[nodiscard]] Index face(Index side) const { return mesh_.triangles[side / 3].face; }
-  /// How far off the place of a vertex may be.
+  /// The error of the place of a vertex.
   [[nodiscard]] double error(Index vertex) const { return errors_[vertex]; }
   [[nodiscard]] Index sideCount() const { return corners_.size() * 3; }
 

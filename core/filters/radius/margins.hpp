@@ -1,4 +1,4 @@
-// What is too near the border of the walkable area (model, Margins).
+// The places too near the border of the walkable area (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // D(p) is the least length, in the plan, of a walk from p to a border of one kind, a wall or a ledge, and r what is to
@@ -31,13 +31,13 @@
 // took its place. Beside the area's own border that is more than the definition requires, at corners of gaps
 // (docs/explanation/model.md, Gaps).
 //
-// What lies in a shape on a triangle that is reached, but is not reached itself, is behind another border, which is
-// nearer still: if not, the straight walk from there to the nearest place of the edge would get there. Which triangles
-// are reached is found in doubles, and in doubt they are: this may take too much only where one triangle is above
-// itself, as on a spiral about a post thinner than the radius, and never too little.
+// A place in a shape, on a reached triangle, that is not reached itself is behind another border, which is nearer
+// still: otherwise the straight walk from there to the nearest place of the edge would get there. Reached triangles are
+// found in doubles, and in doubt count as reached: this may remove too much only where one triangle is above itself, as
+// on a spiral about a post thinner than the radius, and never too little.
 //
-// Where a wall ends on an edge is known to within 2^-38 of the largest coordinate. What is in doubt counts as the kind
-// with the larger distance, and what is shorter than twice that counts as a point.
+// The end of a wall on an edge is known to within 2^-38 of the largest coordinate. Doubtful parts count as the kind
+// with the larger distance, and parts shorter than twice that count as a point.
 #pragma once
 
 #include <array>
@@ -51,11 +51,11 @@ namespace footfall::detail {
 struct Margin {
   static constexpr std::size_t kMostCorners = 12;
   std::vector<PlanVector> corners;
-  std::vector<Index> faces;  ///< that it reaches; ascending
+  std::vector<Index> faces;  ///< faces that it reaches; ascending
 };
 
-/// What stays free: from walls and from ledges, at least 0 and not both 0, scaled; and by what part of these more may
-/// be taken, above 0 and at most a tenth.
+/// The distances that stay free from walls and from ledges, at least 0 and not both 0, scaled; and the part of these by
+/// which more may be removed, above 0 and at most a tenth.
 struct MarginDistances {
   double walls = 0, ledges = 0;
   double tolerance = 0.01;

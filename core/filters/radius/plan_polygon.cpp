@@ -57,7 +57,7 @@ namespace {
 
 bool precedes(const PlanVector& p, const PlanVector& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; }
 
-/// Whether c is to the left of the line from a to b; exactly.
+/// True when c is to the left of the line from a to b; exactly.
 bool isLeft(const PlanVector& a, const PlanVector& b, const PlanVector& c) {
   // Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53.
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x);

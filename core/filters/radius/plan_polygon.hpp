@@ -14,7 +14,7 @@ namespace footfall::detail {
 inline double roundToUnit(double x) { return std::nearbyint(x / MarginSurface::kUnit) * MarginSurface::kUnit; }
 inline PlanVector roundToUnit(const PlanVector& p) { return {roundToUnit(p.x), roundToUnit(p.y)}; }
 
-/// What is left of polygons in a rectangle around a surface. What is cut off has corners in units again.
+/// The parts of polygons in a rectangle around a surface. Cut polygons have corners in units again.
 class ClipBox {
  public:
   explicit ClipBox(const MarginSurface& surface);

@@ -1,10 +1,10 @@
-// What a RadiusFilter keeps beside its result, so that a later run need not find it again.
+// The data that a RadiusFilter keeps beside its result, so that a later run need not compute it again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Each run makes a generation of its own, whose numbers mean nothing in another one. So what was cut out of a face is
-// found by coordinates: of the face's corners, and of the polygons that were cut out, in their order. What comes of it
-// follows from these and from the order of the numbers of all these places, by which equal lines are told apart. Both
-// are compared; then new numbers take the place of the old ones.
+// Each run makes a generation of its own, whose numbers are meaningless in another one. So cuts of a face are found by
+// coordinates: of the face's corners, and of the polygons that were cut out, in their order. The result depends on
+// these and on the order of the numbers of all these places, by which equal lines are distinguished. Both are compared;
+// then new numbers take the place of the old ones.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@ namespace footfall::detail {
 /// Polygons of the plan as spans of plan ids.
 using PlanPolygons = std::span<const std::span<const Index>>;
 
-/// What was cut out of one face, and what that left.
+/// The polygons that were cut out of one face, and the remainder.
 struct CutFace {
   std::array<Vec3, 3> corners;  ///< scaled
   std::uint8_t obstacleEdges = 0;
-  std::vector<Index> sizes;  ///< of the polygons
+  std::vector<Index> sizes;  ///< sizes of the polygons
   std::vector<Vec3> places;  ///< scaled: the corners of all polygons
   std::vector<Index> ids;    ///< plan ids: of the face's corners, then of the places
   std::shared_ptr<const FaceCuts> cuts;
@@ -42,7 +42,7 @@ struct CutFaceHash {
 /// Faces of one generation.
 class CutFaces {
  public:
-  /// Of a kernel, whose grid decides what doubles know.
+  /// Made for a kernel, whose grid decides what doubles resolve.
   explicit CutFaces(const PlanKernel& kernel)
       : scaleExponent_(kernel.mesh().grid.scaleExponent()), slack_(kernel.sign().slack) {}
 
@@ -52,7 +52,7 @@ class CutFaces {
     std::shared_ptr<const FaceCuts> cuts;
     std::shared_ptr<const FaceMesh> mesh;
   };
-  /// In numbers of the kernel, whose generation may be another one; nothing where it is not known.
+  /// The cuts in numbers of the kernel, whose generation may be another one; nothing if they are unknown.
   [[nodiscard]] std::optional<Found> find(const PlanKernel& kernel, Index face, PlanPolygons polygons) const;
   [[nodiscard]] std::size_t bytes() const;
 
@@ -64,12 +64,12 @@ class CutFaces {
 
 struct RadiusMemory {
   explicit RadiusMemory(const PlanKernel& kernel) : cutFaces(kernel) {}
-  StatePtr simplified;  ///< what was narrowed
+  StatePtr simplified;  ///< area that was narrowed
   CoveredParts covered;
   CutFaces cutFaces;
 };
 
-/// In bytes, without the simplified state.
+/// The size in bytes, without the simplified state.
 std::size_t bytesOf(const RadiusMemory& memory);
 
 }  // namespace footfall::detail

@@ -16,8 +16,8 @@ namespace {
 
 using Vertex = std::uint32_t;
 
-constexpr double kLong = 8;       // of the width
-constexpr double kMeetings = 16;  // for each triangle: five times what levels of all kinds have
+constexpr double kLong = 8;       // share of the width
+constexpr double kMeetings = 16;  // meetings per triangle: five times as many as levels of all kinds have
 constexpr double kMostMeetings = 1 << 18;
 constexpr std::size_t kPolled = 255;
 
@@ -86,7 +86,7 @@ class ThinTriangles {
     return area < width_ * length ? longest : -1;
   }
 
-  // Of level floors; none beyond obstacle edges and where more than two sides meet.
+  // Finds neighbours on level floors; none beyond obstacle edges and where more than two sides meet.
   void findNeighbors() {
     struct Side {
       Vertex low = 0, high = 0;

@@ -1,7 +1,7 @@
 // More vertices where a floor's triangles are long and thin.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
-// Between a straight border and many small corners (a row of posts, a comb) all triangles come together at the ends of
+// All triangles between a straight border and many small corners (a row of posts, a comb) come together at the ends of
 // the straight border, even in a Delaunay triangulation. Then each of n margins lies on all triangles that come past it
 // from far away, and cutting takes the square of n. New vertices in the middle of the longest inner edges end that:
 // each halves the way from which triangles come (the longest edge as in M. C. Rivara, "Algorithms for refining

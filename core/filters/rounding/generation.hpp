@@ -20,26 +20,26 @@ namespace footfall::detail {
 struct GenerationSoup {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;
-  std::vector<std::uint32_t> inputTriangles;                ///< for each triangle its number in the environment
+  std::vector<std::uint32_t> inputTriangles;                ///< number in the environment of each triangle
   std::vector<std::array<std::uint32_t, 2>> obstacleEdges;  ///< pairs of vertices
-  std::vector<char> walkable;                               ///< for each triangle
-  RoundingCases cases;                                      ///< what rounding met among the walkable triangles
+  std::vector<char> walkable;                               ///< one flag per triangle
+  RoundingCases cases;                                      ///< cases that rounding met among the walkable triangles
   /// The product of a state that has links; its triangles and vertices come first. Else null.
   std::shared_ptr<const NavigationMesh> product;
 };
 
-/// What a floor's cuts cover, in triangles that face up.
+/// The part that a floor's cuts cover, in triangles that face up.
 struct CoveredPart {
   std::vector<Vec3> places;
   std::vector<std::array<Index, 3>> triangles;
 };
-/// For each face of a state; null where no cut divides it, and for level ones that are obstacles as a whole.
+/// One entry per face of a state; null where no cut divides it, and for level ones that are obstacles as a whole.
 using CoveredParts = std::vector<std::shared_ptr<const CoveredPart>>;
 
-/// What another state's soup found, and what this one does.
+/// The findings of another state's soup, and those of this one.
 struct CoveredRecall {
   const EarlierResult* earlier = nullptr;  ///< may be null
-  const CoveredParts* before = nullptr;    ///< of the earlier state
+  const CoveredParts* before = nullptr;    ///< parts of the earlier state
   CoveredParts found;
 };
 

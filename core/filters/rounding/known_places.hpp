@@ -13,7 +13,7 @@
 
 namespace footfall::detail {
 
-/// What roundVertices() gives for the mesh of a state.
+/// The result of roundVertices() for the mesh of a state.
 struct RoundedPlaces {
   std::vector<Vec3> places;
   std::vector<char> exact;

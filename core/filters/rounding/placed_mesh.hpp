@@ -16,13 +16,13 @@ namespace footfall::detail {
 struct PlacedMesh {
   std::vector<MeshTriangle> triangles;  ///< `face` is an index into `sources`
   std::vector<Vec3> places;             ///< each coordinate the nearest double to the exact one
-  std::vector<char> exact;              ///< for each vertex, 1 where nothing was lost
-  std::vector<std::uint32_t> sources;   ///< for each face its input triangle
-  std::vector<std::uint32_t> layers;    ///< for each triangle, or empty
+  std::vector<char> exact;              ///< 1 for each vertex whose place is exact
+  std::vector<std::uint32_t> sources;   ///< input triangle of each face
+  std::vector<std::uint32_t> layers;    ///< one per triangle, or empty
   std::vector<MeshLink> links;          ///< those without a triangle at either edge are left out
 };
 
-/// What makeNavigationMesh() makes of a state with that mesh, without drops; the frame is left empty.
+/// The result of makeNavigationMesh() for a state with that mesh, without drops; the frame is left empty.
 std::shared_ptr<NavigationMesh> makeNavigationMesh(const PlacedMesh& mesh, RunContext& context);
 
 }  // namespace footfall::detail

@@ -14,8 +14,8 @@
 
 namespace footfall::detail {
 
-/// The triangles around each vertex, in the order in which they came there. Only few vertices are ever asked for, so
-/// lists are made when they are.
+/// The triangles around each vertex, in the order in which they came there. Only few vertices are ever needed, so lists
+/// are made on demand.
 class Surroundings {
  public:
   void build(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount) {
@@ -34,7 +34,7 @@ class Surroundings {
     if (isNew) it->second.assign(atStart_.begin() + first_[vertex], atStart_.begin() + first_[vertex + 1]);
     return it->second;
   }
-  /// As it was built.
+  /// Restores the state after building.
   void reset() { lists_.clear(); }
 
  private:
@@ -42,12 +42,12 @@ class Surroundings {
   std::unordered_map<Index, std::vector<Index>> lists_;
 };
 
-/// What repairs work on. Borders have the obstacle flag (markBorders()).
+/// The mesh that repairs work on. Borders have the obstacle flag (markBorders()).
 class RepairedMesh {
  public:
   explicit RepairedMesh(RoundedMesh& mesh) : mesh_(mesh) {}
 
-  /// To be called before anything is repaired, if anything is.
+  /// Call this before anything is repaired, if anything is.
   void start() {
     alive_.assign(mesh_.triangles.size(), 1);
     around_.build(mesh_.triangles, mesh_.vertices.size());
@@ -60,10 +60,10 @@ class RepairedMesh {
   [[nodiscard]] bool isAlive(Index t) const { return alive_[t] != 0; }
   /// The largest coordinate.
   [[nodiscard]] double largest() const { return largest_; }
-  /// Around a vertex; gone ones are among them.
+  /// The triangles around a vertex; gone ones are among them.
   [[nodiscard]] const std::vector<Index>& around(Index v) { return around_[v]; }
 
-  /// Whether three places turn to the left, exactly.
+  /// True when three places turn to the left, exactly.
   [[nodiscard]] bool isLeftTurn(Index a, Index b, Index c) const {
     const Vec3 &p = place(a), &q = place(b), &r = place(c);
     // Differences, products and the last difference lose at most 4 u (|l| + |r|) together, u = 2^-53, and the bound 2 u
@@ -87,7 +87,7 @@ class RepairedMesh {
     return -1;
   }
 
-  /// Visits the triangles that have an edge from a to b. There is one at most, unless repairs brought needles together.
+  /// Visits the triangles that have an edge from a to b. There is one at most, unless repairs joined needles.
   template <class Visit>
   void visitSide(Index a, Index b, const Visit& visit) {
     for (const Index t : around_[a]) {
@@ -103,7 +103,7 @@ class RepairedMesh {
       visitSide(mesh_.triangles[t].corners[k], mesh_.triangles[t].corners[next(k)], [&](Index) { ++found; });
     return found == 3;
   }
-  /// What was changed is conforming.
+  /// True when the changed part is conforming.
   [[nodiscard]] bool isConforming() {
     return std::all_of(saved_.begin(), saved_.end(),
                        [&](const Saved& saved) { return !isAlive(saved.number) || isConforming(saved.number); });
@@ -130,7 +130,7 @@ class RepairedMesh {
     save(t);
     mesh_.triangles[t].obstacleEdges |= static_cast<std::uint8_t>(1 << k);
   }
-  /// In the layer of another one.
+  /// Adds a triangle in the layer of another one.
   Index add(const MeshTriangle& triangle, Index asOf) {
     const auto t = static_cast<Index>(mesh_.triangles.size());
     saved_.clear();
@@ -140,7 +140,7 @@ class RepairedMesh {
     for (const Index v : triangle.corners) around_[v].push_back(t);
     return t;
   }
-  /// As it was at the start.
+  /// Restores the state at the start.
   void undoAll() {
     for (auto it = saved_.rbegin(); it != saved_.rend(); ++it) {
       mesh_.triangles[it->number] = it->triangle;
@@ -152,7 +152,7 @@ class RepairedMesh {
     drifts_.clear();
   }
 
-  /// How far the edges of a triangle may be from where they were before any repair.
+  /// The distance of a triangle's edges from their places before any repair.
   [[nodiscard]] double drift(Index t) const {
     const auto found = drifts_.find(t);
     return found == drifts_.end() ? 0 : found->second;

@@ -62,7 +62,7 @@ class ProductPlaces {
 
  private:
   const NavigationMesh& mesh_;
-  std::map<std::pair<Place, Place>, Index> sides_;  ///< of the border
+  std::map<std::pair<Place, Place>, Index> sides_;  ///< keyed by the border
   std::map<std::uint32_t, std::vector<std::uint32_t>> ofSource_;
 };
 
@@ -102,7 +102,8 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
     }
     link.fromTriangle = static_cast<std::uint32_t>(*side / 3);
     link.width = std::hypot(link.start[1].x - link.start[0].x, link.start[1].y - link.start[0].y);
-    // A little inside of the triangle in which it lands, to tell it from neighbours on the other side of its border.
+    // A place a little inside of the triangle of the landing, to distinguish it from neighbours on the other side of
+    // its border.
     constexpr double kInside = 0x1p-10;
     const MeshTriangle& t = mesh.triangles[drop.triangle];
     Vec3 within{};

@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// `places` are those of the state's mesh, rounded; `moved` are places that repairs brought to others, in that order;
+/// `places` are those of the state's mesh, rounded; `moved` are places that repairs moved to others, in that order;
 /// `product` has its vertices and triangles. A drop is lost where repairs left nothing of its edge or divided it, and
 /// where nothing is left of the face in which it lands.
 std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<Vec3>& places,

@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// `places` are those of the exact mesh's vertices, rounded; `moved` are places that repairs brought to others, in that
+/// `places` are those of the exact mesh's vertices, rounded; `moved` are places that repairs moved to others, in that
 /// order; `product` has its vertices and triangles, and `borders` are those of its sides that no other one shares, in
 /// any order. A border that repairs divided gives several links. A link is lost where rounding left nothing of one of
 /// its edges, divided its two edges in different ways, or moved them apart or, over a gap, onto each other. A gap that

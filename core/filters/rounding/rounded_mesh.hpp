@@ -13,7 +13,7 @@
 
 namespace footfall::detail {
 
-/// How many triangles of each geometry case rounding met.
+/// The number of triangles of each geometry case that rounding met.
 struct RoundingCases {
   std::uint64_t exact = 0;      ///< case 1: all corners are doubles already
   std::uint64_t edge = 0;       ///< case 2: two corners fell together
@@ -24,7 +24,7 @@ struct RoundingCases {
   /// Vertices that went, each with the one that stands for it, in the order in which they went.
   std::vector<std::array<Index, 2>> collapsed;
 
-  /// Whether something had to be repaired.
+  /// True when something had to be repaired.
   [[nodiscard]] bool anyBroken() const { return edge + point + collinear + flipped + crowded != 0; }
 };
 
@@ -52,17 +52,17 @@ RoundingCases repairRounding(RoundedMesh& mesh, const std::vector<char>& sturdy,
 /// Returns the triangles of edges with several on one side: floors that begin at one line overlap by a rounding.
 std::vector<Index> markBorders(RoundedMesh& mesh, const Adjacency& topology);
 
-/// After the repairs: borders lose that flag again; where repairs brought a border together with another edge by index,
-/// it is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
+/// Called after the repairs: borders lose that flag again; where repairs joined a border with another edge by index, it
+/// is an obstacle edge on all its sides. Returns whether there are obstacle edges whose sides share vertices.
 bool settleBorders(RoundedMesh& mesh, const Adjacency& topology);
 
 /// Obstacle edges whose sides share vertices become inner edges. It is for those that cannot be split: with both ends
 /// inside the area, and no double between these that would be a vertex of either side.
 void dropSharedObstacles(RoundedMesh& mesh, const Adjacency& topology);
 
-/// Where rounding closed a sliver, or two surfaces came to lie against each other, borders coincide without being
-/// joined: they become obstacle edges, so that a reader who welds by position knows it. Borders that coincide in part
-/// only are split where the common part ends; then the result is true, and the topology has changed.
+/// Borders that coincide without being joined, after rounding closed a sliver or two surfaces came to lie against each
+/// other, become obstacle edges, so that a reader who welds by position sees it. Borders that coincide in part only are
+/// split where the common part ends; then the result is true, and the topology has changed.
 ///
 /// `suspects` (one for each vertex, or empty for all): a border can only coincide with another when an end of one of
 /// the two is a suspect. In a mesh that is as it was assembled, those are the vertices that rounding moved and the ends

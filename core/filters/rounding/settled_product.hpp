@@ -13,13 +13,13 @@ namespace footfall::detail {
 
 /// A rounded mesh that is in order, with its edges.
 struct SettledMesh {
-  RoundedMesh mesh;  ///< no layers: `origins` tells them
+  RoundedMesh mesh;  ///< without layers: `origins` give them
   Adjacency topology;
-  std::vector<std::array<Vec3, 2>> moved;  ///< places that repairs brought to others, in that order
-  std::vector<std::uint32_t> origins;      ///< for each triangle the one of the given mesh that it is (a part of)
+  std::vector<std::array<Vec3, 2>> moved;  ///< places that repairs moved to others, in that order
+  std::vector<std::uint32_t> origins;      ///< triangle of the given mesh that each triangle is (a part of)
 };
 
-/// What makeNavigationMesh() finds out of a state's mesh and edges before it asks for layers and links.
+/// The part of makeNavigationMesh() that depends on a state's mesh and edges only, not on layers and links.
 struct SettledProduct {
   std::shared_ptr<const RoundedPlaces> rounded;
   SettledMesh settled;

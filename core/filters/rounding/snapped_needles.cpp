@@ -17,7 +17,7 @@ double dot(const PlanOffset& a, const PlanOffset& b) { return a.x * b.x + a.y * 
 double cross(const PlanOffset& a, const PlanOffset& b) { return a.x * b.y - a.y * b.x; }
 
 constexpr std::size_t kMostTouched = 1 << 14;
-/// What is near in the plan and differs more in height than slopes of 89.7 degrees do is another floor.
+/// A vertex near in the plan whose height differs more than on slopes of 89.7 degrees is on another floor.
 constexpr double kSteepest = 256;
 
 }  // namespace
@@ -52,8 +52,8 @@ const std::vector<Index>& NeedleSnapper::verticesOn(const Edge& edge) {
   return it->second;
 }
 
-// From triangle to triangle over edges that end at one of those vertices, or at an end of the edge; and those that
-// other edges came upon.
+// The triangles reached over edges that end at one of those vertices, or at an end of the edge; and those found from
+// other edges.
 std::vector<Index> NeedleSnapper::findVerticesOn(const Edge& edge) {
   std::vector<std::pair<double, Index>> found;
   std::set<Index> near{edge[0], edge[1]}, seen;
@@ -94,7 +94,7 @@ std::vector<Index> NeedleSnapper::findVerticesOn(const Edge& edge) {
   return vertices;
 }
 
-// Whether it came to an end.
+// True when it came to an end.
 bool NeedleSnapper::findTouched(Index broken) {
   on_.clear();
   touched_ = {broken};
@@ -130,7 +130,7 @@ NeedleSnapper::Outcome NeedleSnapper::snap(Index broken, double reach) {
   return Outcome::Done;
 }
 
-// Where its outline comes to a vertex again, it has gone round a loop.
+// The outline has gone round a loop when it comes to a vertex again.
 bool NeedleSnapper::divide(Index t) {
   const MeshTriangle& triangle = mesh_[t];
   Outline open;
@@ -174,7 +174,7 @@ bool NeedleSnapper::isEar(const Outline& loop, std::size_t i) const {
   return true;
 }
 
-// How far the corner is from the line of its neighbours, beside their distance.
+// The distance of the corner from the line of its neighbours, relative to their distance.
 double NeedleSnapper::shapeOf(const Outline& loop, std::size_t i) const {
   const std::size_t count = loop.size();
   const Vec3 &a = mesh_.place(loop[(i + count - 1) % count].from), &b = mesh_.place(loop[i].from),
@@ -201,7 +201,7 @@ bool NeedleSnapper::triangulate(Index t, Outline loop) {
         static_cast<std::uint8_t>((loop[before].isObstacle ? 1 : 0) | (loop[i].isObstacle ? 2 : 0) |
                                   (count == 3 && loop[behind].isObstacle ? 4 : 0));
     made_.push_back(made);
-    loop[before].isObstacle = false;  // where it was cut off
+    loop[before].isObstacle = false;  // the place where it was cut off
     loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return true;

@@ -1,4 +1,4 @@
-// Needles whose corners rounding brought onto, or beyond, their edges: edges that pass near a vertex lead through it.
+// Needles whose corners rounding moved onto, or beyond, their edges: edges that pass near a vertex lead through it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Several needles between lines that nearly coincide may turn each other's corners over, so that no single edge can be
@@ -45,7 +45,7 @@ class NeedleSnapper {
     MeshTriangle triangle;
   };
 
-  /// Where along an edge a vertex is, as a share, if it is near it and strictly between its ends.
+  /// The place of a vertex along an edge, as a share, if it is near it and strictly between its ends.
   [[nodiscard]] std::optional<double> shareAt(const Edge& edge, Index v) const;
   [[nodiscard]] bool isOnePlace(Index a, Index b) const;
   /// The vertices near an edge, in order from its first one on.
@@ -70,7 +70,7 @@ class NeedleSnapper {
   std::vector<Index> touched_;
   std::vector<NewTriangle> made_;
   std::vector<Edge> together_;
-  std::vector<Edge> obstacles_;  ///< where the outline of a triangle ran back over an obstacle
+  std::vector<Edge> obstacles_;  ///< edges where the outline of a triangle ran back over an obstacle
 };
 
 }  // namespace footfall::detail

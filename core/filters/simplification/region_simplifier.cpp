@@ -77,7 +77,7 @@ void RegionSimplifier::collectTriangles(Index v) {
   mesh_.around.visit(v, [&](Index t) { at_.push_back(t); });
 }
 
-// In the order of their smallest triangles.
+// The groups, in the order of their smallest triangles.
 void RegionSimplifier::collectFans(Index v) {
   fanCount_ = 0;
   std::sort(at_.begin(), at_.end());
@@ -159,7 +159,7 @@ void RegionSimplifier::removeIfPossible(Index v) {
   }
 }
 
-// Where floors overlap (before a clearance filter), a fan can wind around its vertex more than once. The half-plane of
+// A fan on overlapping floors (before a clearance filter) can wind around its vertex more than once. The half-plane of
 // the directions to its ring then changes more often than twice, or once for a straight open fan.
 bool RegionSimplifier::turnsOnce(Index v, const Fan& fan) {
   const auto isUpper = [&](Index p) {

@@ -15,20 +15,20 @@
 
 namespace footfall::detail {
 
-/// When triangles count as coplanar although they are not, and what that may cost.
+/// The condition under which triangles count as coplanar although they are not, and the allowed error.
 struct ApproximateSimplification {
   bool enabled = false;
   double tolerance = 0;  ///< coplanar where the dot product of unit normals exceeds 1 - tolerance (thesis 5.1.2)
   double bound = 0;      ///< nothing taken away is farther than this from what replaces it; scaled units
 };
 
-/// What all groups work on, each on its own triangles.
+/// The data that all groups work on, each on its own triangles.
 struct SimplifiedMesh {
   const std::vector<MeshVertex>& vertices;
   std::vector<MeshTriangle> triangles;
-  std::vector<Index> neighbors;  ///< for each side the side on the other triangle of its region, or -1
+  std::vector<Index> neighbors;  ///< side on the other triangle of its region, of each side, or -1
   std::vector<char> alive;
-  CornerLists around;                         ///< of the vertices that may go
+  CornerLists around;                         ///< triangles around the vertices that may go
   std::vector<std::vector<Index>> standsFor;  ///< approximate mode: vertices taken away at each triangle
 };
 
@@ -51,7 +51,7 @@ class RegionSimplifier {
   struct Fan {
     std::vector<Index> triangles;
     std::vector<Index> ring;          ///< opposite vertices, counter-clockwise; a closed fan does not repeat the first
-    std::vector<Index> beyond;        ///< for each ring edge the side beyond it, or -1
+    std::vector<Index> beyond;        ///< side beyond each ring edge, or -1
     std::vector<std::uint8_t> flags;  ///< and its obstacle flag; for an open fan the last edge is the new outline
     std::vector<std::array<Index, 3>> ears;  ///< the triangles that fill the hole, as places in the ring
     bool closed = false;

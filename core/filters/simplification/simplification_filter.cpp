@@ -56,7 +56,7 @@ FilterOutcome applySimplification(const StatePtr& given, bool approximate, doubl
     return outcome;
   }
   const bool layered = !state->mesh->layers.empty();
-  state = simplify(state, {}, {}, context, outcome.fallbacks);  // what goes exactly need not be judged
+  state = simplify(state, {}, {}, context, outcome.fallbacks);  // Vertices that go exactly need no judgement.
   if (hasConstructedVertices(*state))
     state = nextGeneration(*state, makeGenerationSoup(state, context, outcome.fallbacks), false, context,
                            outcome.fallbacks);

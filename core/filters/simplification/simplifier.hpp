@@ -19,13 +19,13 @@
 
 namespace footfall::detail {
 
-/// What a simplification was made of, so that a later one can copy groups that did not change.
+/// The input of a simplification, kept so that a later one can copy groups that did not change.
 struct SimplifierMemory {
   std::shared_ptr<const WalkableMesh> given;
-  std::vector<Index> neighbors;         ///< as in SimplifiedMesh, before anything went
-  std::vector<char> candidates;         ///< for each vertex: it may go
-  std::vector<Index> groupOf;           ///< for each triangle, or -1
-  std::vector<MeshTriangle> triangles;  ///< after all, before they moved together
+  std::vector<Index> neighbors;         ///< neighbors as in SimplifiedMesh, before anything went
+  std::vector<char> candidates;         ///< one flag per vertex: it may go
+  std::vector<Index> groupOf;           ///< group of each triangle, or -1
+  std::vector<MeshTriangle> triangles;  ///< triangles after all, before they moved together
   std::vector<char> alive;
 };
 
@@ -57,9 +57,10 @@ class Simplifier {
   /// Groups one after another in flat lists, those with most triangles first.
   struct Groups {
     std::vector<Index> firstTriangle{0}, triangles;  ///< ascending within a group
-    std::vector<Index> firstVertex{0}, vertices;     ///< that may go; within a group in the order of their first use
+    std::vector<Index> firstVertex{0}, vertices;     ///< vertices that may go; within a group in the order of their
+                                                     ///< first use
     std::vector<Index> firstOfTask{0};               ///< groups that one task works on
-    std::vector<Index> of;                           ///< for each triangle its group, or -1
+    std::vector<Index> of;                           ///< group of each triangle, or -1
 
     [[nodiscard]] std::span<const Index> trianglesOf(Index group) const {
       return {triangles.data() + firstTriangle[group], triangles.data() + firstTriangle[group + 1]};
@@ -78,7 +79,7 @@ class Simplifier {
   /// straight piece stays straight when its ends move along it.
   std::vector<char> findStraight(Index count);
   Groups findGroups(const std::vector<char>& candidates) const;
-  /// Whether the group is what an earlier one was.
+  /// True when the group equals an earlier one.
   [[nodiscard]] bool isKnown(std::span<const Index> triangles, const std::vector<char>& candidates) const;
   void copyEarlier(std::span<const Index> triangles);
   /// The triangles that are left, over the same vertices.
@@ -93,8 +94,8 @@ class Simplifier {
   SimplifiedMesh mesh_;
   const SimplifierMemory* before_ = nullptr;
   const EarlierResult* earlier_ = nullptr;
-  MeshRelation relation_;          ///< with the earlier mesh
-  std::vector<Index> sizeBefore_;  ///< of each earlier group
+  MeshRelation relation_;          ///< relation to the earlier mesh
+  std::vector<Index> sizeBefore_;  ///< size of each earlier group
   /// The edges that are not inner, in blocks, in their order; between findInnerEdges() and findCandidates().
   std::vector<std::vector<std::array<Index, 2>>> outlines_;
   ExactFallbacks fallbacks_;
