@@ -8,6 +8,7 @@
 #include "app/command_session.hpp"
 #include "app/commands.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/worker_arena.hpp"
 #include "core/partitioning/cut_export.hpp"
 #include "core/partitioning/cutting.hpp"
 #include "core/pipeline/runner.hpp"
@@ -110,9 +111,7 @@ std::string previewCells(const CellsOptions& options) {
 
   session.begin("dividing");
   const Partition partition = previewPartition(environment, block, 0, session.context(), options.threads);
-  const auto threads =
-      static_cast<int>(tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism));
-  CellsReport report{*environment, partition, threads, std::nullopt};
+  CellsReport report{*environment, partition, allowedThreads(), std::nullopt};
   if (!options.output.empty()) {
     session.begin("exporting");
     report.cut = exportCut(options, *environment, partition, block, session.context());

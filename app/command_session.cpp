@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <iostream>
 
-#include "core/base/worker_arena.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
@@ -21,7 +20,7 @@ CommandSession::CommandSession(int threads, bool quiet, bool showsBar)
       bar_(!quiet && (showsBar || isatty(STDERR_FILENO) != 0)),
       context_([this](const RunEvent& event) { bar_.show(event); }),
       watcher_(context_) {
-  if (threads > 0) limit_.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+  if (threads > 0) limit_.emplace(threads);
 }
 
 std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions& options) {

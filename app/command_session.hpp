@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <oneapi/tbb/global_control.h>
-
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,6 +9,7 @@
 #include "app/command_options.hpp"
 #include "app/interrupt_watcher.hpp"
 #include "app/progress_bar.hpp"
+#include "core/base/worker_arena.hpp"
 #include "core/distributed/cell_exchange.hpp"
 #include "footfall/run.hpp"
 
@@ -40,7 +39,7 @@ class CommandSession {
  private:
   int threads_;
   bool quiet_;
-  std::optional<tbb::global_control> limit_;
+  std::optional<detail::ThreadLimit> limit_;
   ProgressBar bar_;
   RunContext context_;
   std::shared_ptr<const Environment> file_;  ///< environment as read: floor plans look for its doors

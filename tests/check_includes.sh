@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # check_includes.sh [--counts]: fails, naming the lines, when a file of core/, ui/ or app/ includes one of a folder that
-# comes after its own in the order of docs/explanation/architecture.md, or when bindings include what is not public. With --counts:
-# how often each folder includes which others, and the order, for docs/make_architecture.sh.
+# comes after its own in the order of docs/explanation/architecture.md, when bindings include what is not public, or
+# when anything but core/base uses the library for threads. With --counts: how often each folder includes which others,
+# and the order, for docs/make_architecture.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
@@ -15,6 +16,12 @@ public="text:base errors:base geometry:base statistics:base run_context:base nav
 
 if grep -rnE '^ *#include *["<](core|ui|app)/' bindings; then
   echo "the bindings may use public headers only"
+  exit 1
+fi
+# A loop of TBB's own ends early, without an exception, when a group around it is cancelled.
+if grep -rnE 'include *[<"](oneapi/)?tbb/|\btbb::' core app bindings ui --include='*.[chm]pp' --include='*.[ch]' |
+  grep -v '^core/base/'; then
+  echo "parallel work starts through core/base/parallel.hpp and parallel_sort.hpp only"
   exit 1
 fi
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/mpi/mpi_program.hpp"
 
-#include <oneapi/tbb/info.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -10,6 +8,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "core/base/worker_arena.hpp"
 #include "core/distributed/job_folder.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/pipeline.hpp"
@@ -60,7 +59,7 @@ void MpiProgram::begin(int threads) {
   isBegun_ = true;
   transport_ = std::make_unique<MpiTransport>();
   RankExchange::Options options;
-  options.threads = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+  options.threads = threads > 0 ? threads : machineThreads();
   options.startUpMs = total_.wallMs();
   options.workFolder = workFolder_;
   options.leavesShares = leavesShares_;

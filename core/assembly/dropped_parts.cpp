@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/dropped_parts.hpp"
 
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <optional>
 
 #include "core/assembly/mesh_assembly.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/triangle_tree.hpp"
 
 namespace footfall::detail {
@@ -134,7 +132,7 @@ std::shared_ptr<const WalkableState> withRegions(const WalkableState& state, con
   };
   const bool isTaken = choice.isLast && state.mesh.use_count() == 1;
   std::shared_ptr<const Adjacency> topology;
-  tbb::parallel_invoke(
+  parallelInvoke(
       keep, drop,
       [&] { topology = std::make_shared<const Adjacency>(edgesOfSome(choice.topology, renumbered, context)); },
       [&] {

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/mesh_assembly.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 
 #include "core/assembly/mesh_joiner.hpp"
 #include "core/base/background_release.hpp"
+#include "core/base/parallel.hpp"
 #include "footfall/navigation_mesh.hpp"
 
 namespace footfall::detail {
@@ -30,7 +28,7 @@ std::vector<FaceToJoin> facesToJoin(const WalkableState& state, const FaceMeshes
   const SourceMesh& mesh = state.kernel->mesh();
   const std::size_t count = mesh.triangles.size();
   std::vector<std::vector<FaceToJoin>> parts((count + kFacesListedPerTask - 1) / kFacesListedPerTask);
-  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t task) {
+  parallelFor(parts.size(), [&](std::size_t task) {
     context.checkCancelled();
     std::vector<FaceToJoin>& part = parts[task];
     for (std::size_t t = task * kFacesListedPerTask; t < std::min((task + 1) * kFacesListedPerTask, count); ++t) {
@@ -124,14 +122,14 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
   });
   faces.insert(faces.begin(), giants.begin(), giants.end());
 
-  tbb::enumerable_thread_specific<CopyMemory> copies(makeCopyMemory);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, known.size(), kCopiesPerTask), [&](const auto& range) {
+  PerThread<CopyMemory> copies(makeCopyMemory);
+  parallelRanges(known.size(), kCopiesPerTask, [&](const auto& range) {
     const CopyMemory& ownCopies = copies.local();
     for (std::size_t i = range.begin(); i != range.end(); ++i)
       meshes[known[i]] = earlier->mesh(earlier->faceBefore(known[i]), ownCopies);
   });
 
-  tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
+  PerThread<std::unique_ptr<FaceMesher>> meshers;
   // Faces differ as much as their segments do: a giant alone can be nearly all of the work.
   std::size_t total = 1;
   for (const Index t : faces) total += (*state.cuts)[t].segments.size();
@@ -147,7 +145,7 @@ void meshFaces(const WalkableState& state, const EarlierResult* earlier, const s
       std::max((faces.size() + kFacesPerTask - 1) / kFacesPerTask, std::min(faces.size(), kLeastTasks));
   const std::size_t facesPerTask = tasks == 0 ? 0 : (faces.size() + tasks - 1) / tasks;
   std::atomic<std::size_t> nextFace{0};
-  tbb::parallel_for(std::size_t{0}, tasks, [&](std::size_t) {
+  parallelFor(tasks, [&](std::size_t) {
     auto& mesher = meshers.local();
     if (!mesher) mesher = std::make_unique<FaceMesher>(kernel, context, advance);
     const CopyMemory& ownCopies = copies.local();
@@ -179,7 +177,7 @@ std::shared_ptr<const WalkableMesh> joinFaces(const WalkableState& state, const 
   if (memory != nullptr) {
     memory->meshes = std::move(meshes);
   } else {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, meshes.size(), kMeshesFreedPerTask), [&](const auto& range) {
+    parallelRanges(meshes.size(), kMeshesFreedPerTask, [&](const auto& range) {
       for (std::size_t t = range.begin(); t != range.end(); ++t) meshes[t] = nullptr;
     });
   }

@@ -3,7 +3,6 @@
 //
 // Triangles, outlines and points have their places by the faces' order. Vertices are numbered by their first use. All
 // is done by all threads, for ranges of points or triangles, since a single face can have most of them.
-#include <oneapi/tbb/combinable.h>
 
 #include <algorithm>
 #include <array>
@@ -17,7 +16,7 @@
 #include "core/assembly/mesh_joiner.hpp"
 #include "core/base/geometry.hpp"
 #include "core/base/numbered_table.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 
 namespace footfall::detail {
@@ -212,7 +211,7 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
   additions.firstUseOfSource = std::vector<std::atomic<Index>>(mesh_.vertices.size());
   auto& entries = memory_.entries;
   const std::size_t count = additions.faces.size();
-  tbb::combinable<ExactFallbacks> fallbacks;
+  PerThread<ExactFallbacks> fallbacks;
   std::vector<Index> large;  // a face can have most of the points
   std::mutex mutex;
   const auto addShared = [&](const std::vector<SharedUse>& shared) {
@@ -246,7 +245,7 @@ void MeshJoiner::listAllUses(Additions& additions, RunContext& context) {
                 addShared(shared);
               });
   }
-  fallbacks.combine_each([&](const ExactFallbacks& found) { fallbacks_ += found; });
+  for (const ExactFallbacks& found : fallbacks) fallbacks_ += found;
   Index outlines = 0;
   for (std::size_t i = 0; i < count; ++i) outlines += std::exchange(entries[i].firstOutline, outlines);
   entries.back().firstOutline = outlines;

@@ -5,8 +5,6 @@
 // outlines of those that something cuts. Only outlines of faces that have very many are in a tree of their own. Four
 // neighbours along a curve share one search, unless too much is around them. All of this only chooses what is compared:
 // boxes hold what they stand for, whatever is rounded.
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <atomic>
@@ -18,7 +16,7 @@
 #include "core/assembly/mesh_joiner.hpp"
 #include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 
@@ -423,9 +421,9 @@ void MeshJoiner::findIncidences(RunContext& context) {
     search.entryOf.assign(mesh_.triangles.size(), -1);
     for (const Index entry : entries) search.entryOf[memory_.entries[entry].face] = entry;
   };
-  tbb::parallel_invoke([&] { buildTree(entries, search, context); }, findSearched);
+  parallelInvoke([&] { buildTree(entries, search, context); }, findSearched);
 
-  tbb::enumerable_thread_specific<Found> locals;
+  PerThread<Found> locals;
   forRanges(isSearched.size(), kSearchedPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     Found& found = locals.local();

@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/mesh_joiner.hpp"
 
-#include <oneapi/tbb/combinable.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/geometry.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/mesh/first_uses.hpp"
 #include "core/mesh/triangle_split.hpp"
@@ -108,7 +104,7 @@ void MeshJoiner::uniteVertices(RunContext& context) {
 
 std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
   std::vector<Incidence> between = memory_.between;
-  tbb::parallel_sort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
+  parallelSort(between.begin(), between.end(), [](const Incidence& a, const Incidence& b) {
     return a.outline != b.outline ? a.outline < b.outline : a.vertex < b.vertex;
   });
   std::vector<std::size_t> first;  // start of each outline
@@ -116,7 +112,7 @@ std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
     if (i == 0 || between[i].outline != between[i - 1].outline) first.push_back(i);
   std::vector<Split> splits(first.size());
   first.push_back(between.size());
-  tbb::combinable<ExactFallbacks> fallbacks;
+  PerThread<ExactFallbacks> fallbacks;
   forRanges(splits.size(), kSplitsPerTask, [&](std::size_t begin, std::size_t end) {
     context.checkCancelled();
     ExactFallbacks& count = fallbacks.local();
@@ -129,7 +125,7 @@ std::vector<MeshJoiner::Split> MeshJoiner::findSplits(RunContext& context) {
       splits[s] = {o.triangle, o.k, std::move(on)};
     }
   });
-  fallbacks.combine_each([&](const ExactFallbacks& count) { fallbacks_ += count; });
+  for (const ExactFallbacks& count : fallbacks) fallbacks_ += count;
   std::sort(splits.begin(), splits.end(), [](const Split& a, const Split& b) {
     return a.triangle != b.triangle ? a.triangle < b.triangle : a.k < b.k;
   });
@@ -149,7 +145,7 @@ std::vector<MeshTriangle> MeshJoiner::splitTriangles(std::span<const Split> spli
   }
   for (; split < splits.size(); ++split) added += splits[split].inner.size();
   std::vector<MeshTriangle> result(triangles_.size() + added);
-  tbb::parallel_for(std::size_t{0}, firstSplit.size(), [&](std::size_t block) {
+  parallelFor(firstSplit.size(), [&](std::size_t block) {
     context.checkCancelled();
     const std::size_t first = block * kTrianglesPerBlock;
     auto next = splits.begin() + static_cast<std::ptrdiff_t>(firstSplit[block]);
@@ -179,8 +175,7 @@ WalkableMesh MeshJoiner::assemble(std::span<const Split> splits, RunContext& con
   triangles_ = {};
   const FirstUses uses = findFirstUses(
       mesh.triangles.size(), vertices_.size(), [&](std::size_t t) { return mesh.triangles[t].corners; }, context);
-  tbb::parallel_invoke([&] { renumber(mesh.triangles, uses, context); },
-                       [&] { mesh.vertices.resize(uses.order.size()); });
+  parallelInvoke([&] { renumber(mesh.triangles, uses, context); }, [&] { mesh.vertices.resize(uses.order.size()); });
   forRanges(uses.order.size(), kVerticesPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     for (std::size_t v = first; v < last; ++v) mesh.vertices[v] = vertices_[uses.order[v]];

@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -16,6 +13,7 @@
 
 #include "core/base/float4.hpp"
 #include "core/base/geometry.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 
 namespace footfall::detail {
@@ -41,8 +39,8 @@ class BoxTree {
     levels_.clear();
     ids_.resize(count);
     if (count == 0) return;
-    Bounds all = tbb::parallel_reduce(
-        tbb::blocked_range<Index>(0, count, kPerTask), nothing(),
+    Bounds all = parallelReduce(
+        count, kPerTask, nothing(),
         [&](const auto& range, Bounds sum) {
           poll();
           for (Index i = range.begin(); i != range.end(); ++i) add(sum, boundsOf(ids[i]));
@@ -163,7 +161,7 @@ class BoxTree {
       for (Index i = 0; i < count; ++i) work(i);
       return;
     }
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kPerTask), [&](const auto& range) {
+    parallelRanges(count, kPerTask, [&](const auto& range) {
       poll();
       for (Index i = range.begin(); i != range.end(); ++i) work(i);
     });
@@ -203,7 +201,7 @@ class BoxTree {
     std::vector<std::pair<std::uint32_t, Index>> other(order.size());
     std::vector<Starts> starts((static_cast<std::ptrdiff_t>(order.size()) + kSorted - 1) / kSorted);
     const auto forBlocksOfOrder = [&](auto work) {
-      tbb::parallel_for(std::size_t{0}, starts.size(), [&](std::size_t block) {
+      parallelFor(starts.size(), [&](std::size_t block) {
         poll();
         const auto first = order.begin() + static_cast<std::ptrdiff_t>(block) * kSorted;
         const auto last = block + 1 < starts.size() ? first + kSorted : order.end();

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 
 namespace footfall::detail {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/triangle_tree.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cmath>
 #include <cstring>
 #include <limits>
+
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -351,7 +351,7 @@ class TriangleTreeBuilder {
     const std::size_t count = divider.divide(whole, depth, parts);
     tree.nodes.push_back(nodeOf({parts.data(), count}));
     tree.below = std::make_unique<std::array<Subtree, kWidth>>();
-    tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) {
+    parallelFor(count, [&](std::size_t i) {
       if (parts[i].items.size() > 1) grow((*tree.below)[i], parts[i], depth + 1);
     });
     tree.size = 1;

@@ -5,6 +5,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/task_arena.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -62,12 +63,31 @@ class KeptArena {
 }  // namespace
 
 void runOnThreads(int threads, const std::function<void(int)>& work) {
-  const int workers = threads > 0 ? threads : oneapi::tbb::info::default_concurrency();
+  const int workers = threads > 0 ? threads : machineThreads();
   // The arena bounds this work, however many others there are; the control lets it have more threads than processors.
-  const oneapi::tbb::global_control control(oneapi::tbb::global_control::max_allowed_parallelism,
-                                            static_cast<std::size_t>(workers));
+  const ThreadLimit limit(workers);
   KeptArena arena(workers);
   (*arena).execute([&] { work(workers); });
 }
+
+struct ThreadLimit::Control {
+  oneapi::tbb::global_control control;
+};
+
+ThreadLimit::ThreadLimit(int threads)
+    : control_(new Control{{oneapi::tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}}) {
+}
+ThreadLimit::~ThreadLimit() = default;
+
+int machineThreads() { return std::max(1, oneapi::tbb::info::default_concurrency()); }
+
+int allowedThreads() {
+  using Control = oneapi::tbb::global_control;
+  return static_cast<int>(Control::active_value(Control::max_allowed_parallelism));
+}
+
+int availableThreads() { return oneapi::tbb::this_task_arena::max_concurrency(); }
+
+int threadNumber() { return oneapi::tbb::this_task_arena::current_thread_index(); }
 
 }  // namespace footfall::detail

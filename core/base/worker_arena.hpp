@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <type_traits>
 
@@ -19,5 +20,27 @@ auto onThreads(int threads, Work&& work) {
   runOnThreads(threads, [&](int workers) { result.emplace(work(workers)); });
   return std::move(*result);
 }
+
+/// Limits the threads of the whole process while it lives; of several limits the lowest counts.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+ private:
+  struct Control;
+  std::unique_ptr<Control> control_;
+};
+
+/// The threads that the machine runs at a time; at least 1.
+int machineThreads();
+/// The threads that limits leave to the process.
+int allowedThreads();
+/// The threads that parallel loops of the calling thread use at most.
+int availableThreads();
+/// The calling thread's number among those, from 0 on.
+int threadNumber();
 
 }  // namespace footfall::detail

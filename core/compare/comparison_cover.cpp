@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/triangle_tree.hpp"
 

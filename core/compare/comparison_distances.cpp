@@ -10,7 +10,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/base/vector.hpp"
 

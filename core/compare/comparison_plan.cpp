@@ -6,7 +6,7 @@
 #include <limits>
 #include <unordered_map>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 

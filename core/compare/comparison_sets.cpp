@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/comparison_sets.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"
 
 namespace footfall::detail::comparison {
@@ -115,7 +114,7 @@ class SetSubtraction {
 
   void groupPlanes() {
     context_.checkCancelled();
-    tbb::parallel_sort(planes_.begin(), planes_.end(), [this](const Plane& a, const Plane& b) {
+    parallelSort(planes_.begin(), planes_.end(), [this](const Plane& a, const Plane& b) {
       context_.checkCancelled();
       if (!samePlane(a, b)) return a.numbers < b.numbers;
       return a.set != b.set ? a.set < b.set : a.triangle < b.triangle;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/comparison_surface.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <compare>
 #include <limits>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/grid.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -35,7 +34,7 @@ Positions collectPositions(const NavigationMesh& a, const NavigationMesh& b, dou
       if (used[v]) all.places.push_back(mesh->vertices[v]);
   }
   context.checkCancelled();
-  tbb::parallel_sort(all.places.begin(), all.places.end(), before);
+  parallelSort(all.places.begin(), all.places.end(), before);
   all.places.erase(std::unique(all.places.begin(), all.places.end()), all.places.end());
   Grid grid;
   grid.include(extra);

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/surface_difference.hpp"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -11,7 +9,8 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/base/vector.hpp"
 #include "core/compare/comparison_plan.hpp"
@@ -94,7 +93,7 @@ class Reduction {
         std::ranges::sort(corners.at, {}, key);
       }
     });
-    tbb::parallel_sort(all.begin(), all.end(), [](const Corners& a, const Corners& b) {
+    parallelSort(all.begin(), all.end(), [](const Corners& a, const Corners& b) {
       for (std::size_t k = 0; k < 3; ++k)
         if (a.at[k] != b.at[k]) return key(a.at[k]) < key(b.at[k]);
       return std::pair(a.mesh, a.triangle) < std::pair(b.mesh, b.triangle);

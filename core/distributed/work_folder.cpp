@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/distributed/work_folder.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -12,6 +10,7 @@
 #include <optional>
 #include <system_error>
 
+#include "core/base/parallel.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 
@@ -61,7 +60,7 @@ std::vector<WorkFolder::Stored> WorkFolder::load(const CellPhase& phase, std::ve
   const std::size_t cells = phase.costs.size();
   std::vector<std::optional<std::string>> sealed(cells);
   std::vector<std::string> problems(cells);
-  tbb::parallel_for(std::size_t{0}, cells, [&](std::size_t cell) {
+  parallelFor(cells, [&](std::size_t cell) {
     const ShareName name{phase.key, phase.number, cell};
     try {
       sealed[cell] = contentOf(fileOf(name));

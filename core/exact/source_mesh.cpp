@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/source_mesh.hpp"
 
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -12,7 +10,7 @@
 
 #include "core/base/lexicographic_order.hpp"
 #include "core/base/numbered_table.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/plan_places.hpp"
@@ -215,10 +213,10 @@ SourceMesh makeSourceMesh(const SoupView& soup, bool bothSides, std::vector<std:
   SourceMesh mesh;
   mesh.grid = soup.grid;
   // One thread sorts for long, another has the time to clear memory.
-  tbb::parallel_invoke([&] { mesh.welded = SharedArray(weldVertices(soup.vertices, mesh, poll)); },
-                       [&] { makeRoom(mesh, soup.triangles.size()); });
+  parallelInvoke([&] { mesh.welded = SharedArray(weldVertices(soup.vertices, mesh, poll)); },
+                 [&] { makeRoom(mesh, soup.triangles.size()); });
   std::vector<std::uint32_t> sorted;
-  tbb::parallel_invoke([&] { sorted = sortTriangles(soup, bothSides, mesh, poll); }, [&] { chooseGrid(mesh, poll); });
+  parallelInvoke([&] { sorted = sortTriangles(soup, bothSides, mesh, poll); }, [&] { chooseGrid(mesh, poll); });
   if (order != nullptr) *order = std::move(sorted);
   for (const auto& [u, v] : soup.obstacleEdges) {
     const Index a = mesh.welded[u], b = mesh.welded[v];

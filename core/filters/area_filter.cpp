@@ -5,7 +5,6 @@
 // roots. Doubles with error bounds decide nearly always; else the rational parts are summed exactly face by face and
 // the roots enclosed by intervals of growing precision (compareRootSum()). Areas that agree with the minimum to the
 // finest one count as equal, and are removed.
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/filter_registry.hpp"
@@ -107,7 +107,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, const Recall& rec
   for (std::size_t t = 0; t < region.size(); ++t)
     if (keep[region[t]] == 0) members[next[region[t]]++] = static_cast<Index>(t);
   std::vector<char> decidedExactly(regionCount, 0);
-  tbb::parallel_for(tbb::blocked_range<Index>(0, regionCount, 256), [&](const auto& range) {
+  parallelRanges(regionCount, 256, [&](const auto& range) {
     context.checkCancelled();
     for (Index r = range.begin(); r != range.end(); ++r) {
       if (keep[r] != 0) continue;

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/filter.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/source_edit.hpp"
@@ -112,7 +111,7 @@ constexpr std::size_t kTermsPerBlock = 4096;
 template <class Term>
 double sumOf(std::size_t count, Term term) {
   std::vector<double> sums((count + kTermsPerBlock - 1) / kTermsPerBlock, 0);
-  tbb::parallel_for(std::size_t{0}, sums.size(), [&](std::size_t block) {
+  parallelFor(sums.size(), [&](std::size_t block) {
     for (std::size_t i = block * kTermsPerBlock; i < std::min((block + 1) * kTermsPerBlock, count); ++i)
       sums[block] += term(i);
   });

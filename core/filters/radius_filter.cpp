@@ -1,7 +1,5 @@
 // RadiusFilter: removes what is nearer to the border of the walkable area than an agent's radius (model, Margins).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +7,7 @@
 #include <span>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/parallel.hpp"
 #include "core/exact/plan_places.hpp"
 #include "core/filters/face_cutter.hpp"
 #include "core/filters/filter_registry.hpp"
@@ -103,9 +102,9 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
   std::vector<Polygons> polygons(touched.faces.size());
   std::vector<CutFaces::Found> found(touched.faces.size());
   const std::shared_ptr<const FaceCuts> coveredWhole = wholeCuts();
-  tbb::enumerable_thread_specific<std::unique_ptr<FaceCutter>> cutters;
-  tbb::enumerable_thread_specific<MarginChoice> choices([&] { return MarginChoice(margins); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, found.size(), kFacesPerTask), [&](const auto& range) {
+  PerThread<std::unique_ptr<FaceCutter>> cutters;
+  PerThread<MarginChoice> choices([&] { return MarginChoice(margins); });
+  parallelRanges(found.size(), kFacesPerTask, [&](const auto& range) {
     auto& cutter = cutters.local();
     if (!cutter) cutter = std::make_unique<FaceCutter>(kernel, context);
     for (std::size_t i = range.begin(); i != range.end(); ++i) {

@@ -5,8 +5,6 @@
 // A seed is a point of doubles and so exact. It means the highest walkable place at or under it; triangles are taken
 // with their outlines, so that on an edge or a corner it means all regions that meet there at that height. Rounded
 // places with their bounds leave a few triangles for each seed; rational numbers decide about those.
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -22,6 +20,7 @@
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/number_text.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/filter_registry.hpp"
@@ -70,7 +69,7 @@ class SeedFinder {
   std::vector<std::vector<Index>> find(RunContext& context) const {
     std::vector<std::vector<Index>> under = findUnder(context);
     std::vector<std::optional<mpq_class>> depths(seeds_.size());
-    tbb::parallel_for(std::size_t{0}, seeds_.size(), [&](std::size_t s) {
+    parallelFor(seeds_.size(), [&](std::size_t s) {
       context.checkCancelled();
       depths[s] = keepHighest(s, under[s], context);
     });
@@ -90,8 +89,8 @@ class SeedFinder {
   [[nodiscard]] std::vector<std::vector<Index>> findUnder(RunContext& context) const {
     const WalkableMesh& mesh = *state_.mesh;
     using Pair = std::pair<std::size_t, Index>;
-    tbb::enumerable_thread_specific<std::vector<Pair>> found;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.triangles.size(), 4096), [&](const auto& range) {
+    PerThread<std::vector<Pair>> found;
+    parallelRanges(mesh.triangles.size(), 4096, [&](const auto& range) {
       context.checkCancelled();
       std::vector<Pair>& here = found.local();
       for (std::size_t t = range.begin(); t != range.end(); ++t)

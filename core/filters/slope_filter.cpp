@@ -1,9 +1,9 @@
 // SlopeFilter: rejects triangles that are steeper than the limit, exactly (model, Slope).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_for.h>
 
 #include <atomic>
 
+#include "core/base/parallel.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -14,7 +14,7 @@ FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& cont
   const FaceTest isWithin = makeFaceTest(filterDescriptor(FilterType::Slope), {degrees}, state->kernel);
   auto result = std::make_shared<WalkableState>(*state);
   std::atomic<std::uint64_t> fallbacks{0};
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, result->walkable.size(), 1024), [&](const auto& range) {
+  parallelRanges(result->walkable.size(), 1024, [&](const auto& range) {
     context.checkCancelled();
     ExactFallbacks count;
     for (std::size_t t = range.begin(); t != range.end(); ++t)

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 #include "core/exact/error_double.hpp"
 #include "core/exact/source_predicates.hpp"

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/io/obj_text.hpp"
 #include "core/mesh/storey_names.hpp"
 #include "footfall/errors.hpp"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string_view>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/io/obj_parser.hpp"
 
 namespace footfall::detail {

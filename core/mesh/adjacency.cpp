@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/adjacency.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <limits>
@@ -11,7 +8,9 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/unfilled_array.hpp"
+#include "core/base/worker_arena.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -53,11 +52,10 @@ void forVertices(Index count, Poll poll, Work work) {
   };
   if (count == 0) return;
   if (count <= kVerticesPerTask) return polled(0, count);
-  tbb::parallel_for(tbb::blocked_range<Index>(0, (count + kVerticesPerTask - 1) / kVerticesPerTask, 1),
-                    [&](const auto& range) {
-                      for (Index block = range.begin(); block != range.end(); ++block)
-                        polled(block * kVerticesPerTask, std::min((block + 1) * kVerticesPerTask, count));
-                    });
+  parallelRanges((count + kVerticesPerTask - 1) / kVerticesPerTask, 1, [&](const auto& range) {
+    for (Index block = range.begin(); block != range.end(); ++block)
+      polled(block * kVerticesPerTask, std::min((block + 1) * kVerticesPerTask, count));
+  });
 }
 
 /// The smaller vertices of the edges of a block of triangles lie between these.
@@ -68,7 +66,7 @@ struct VertexRange {
 std::vector<VertexRange> rangesOf(const TriangleCorners& triangles, Poll poll) {
   const Index count = triangles.size();
   std::vector<VertexRange> ranges((count + kTrianglesPerBlock - 1) / kTrianglesPerBlock);
-  tbb::parallel_for(std::size_t{0}, ranges.size(), [&](std::size_t block) {
+  parallelFor(ranges.size(), [&](std::size_t block) {
     poll();
     VertexRange range;
     const Index first = static_cast<Index>(block) * kTrianglesPerBlock;
@@ -90,9 +88,9 @@ Adjacency findEdges(const TriangleCorners& triangles, std::size_t vertexCount, P
   std::vector<Index> bucket(vertexCount + 1, 0);
   // Each part deals with the sides of its own vertices.
   const std::vector<VertexRange> ranges = rangesOf(triangles, poll);
-  const Index parts = count < kFewTriangles ? 1 : std::min<Index>(tbb::this_task_arena::max_concurrency(), kMostParts);
+  const Index parts = count < kFewTriangles ? 1 : std::min<Index>(availableThreads(), kMostParts);
   const auto forSides = [&](const auto& visit) {
-    tbb::parallel_for(Index{0}, parts, [&](Index part) {
+    parallelFor(parts, [&](Index part) {
       const auto first = static_cast<Index>(std::int64_t{vertices} * part / parts);
       const auto last = static_cast<Index>(std::int64_t{vertices} * (part + 1) / parts);
       for (Index t = 0; t < count; ++t) {
@@ -161,7 +159,7 @@ Adjacency edgesOfSome(const Adjacency& all, const std::vector<Index>& renumbered
   const auto blocks = static_cast<std::size_t>((edgeCount + kEdgesPerBlock - 1) / kEdgesPerBlock);
   std::vector<Index> edgesBefore(blocks + 1, 0), sidesBefore(blocks + 1, 0);
   const auto forBlocks = [&](const auto& work) {
-    tbb::parallel_for(std::size_t{0}, blocks, [&](std::size_t block) {
+    parallelFor(blocks, [&](std::size_t block) {
       poll();
       const Index first = static_cast<Index>(block) * kEdgesPerBlock;
       work(block, first, std::min(first + kEdgesPerBlock, edgeCount));

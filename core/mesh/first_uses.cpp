@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/first_uses.hpp"
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/mesh/mesh_topology.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
@@ -10,6 +8,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -67,7 +66,7 @@ std::vector<MeshDrop> dropsBetween(const WalkableMesh& mesh, const std::vector<M
 
 std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topology, Index& regionCount) {
   std::vector<char> joins(static_cast<std::size_t>(topology.edgeCount()));
-  tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+  parallelRanges(topology.edgeCount(), kEdgesPerTask, [&](const auto& range) {
     for (Index e = range.begin(); e != range.end(); ++e) {
       const auto sides = topology.sidesOf(e);
       joins[e] = static_cast<char>(sides.size() >= 2 && !isObstacle(mesh.triangles, sides));
@@ -90,7 +89,7 @@ std::vector<Index> findRegions(const WalkableMesh& mesh, const Adjacency& topolo
 std::uint64_t countConnections(const WalkableMesh& mesh, const Adjacency& topology) {
   if (mesh.layers.empty()) return 0;
   std::atomic<std::uint64_t> connections{0};
-  tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+  parallelRanges(topology.edgeCount(), kEdgesPerTask, [&](const auto& range) {
     std::uint64_t here = 0;
     for (Index e = range.begin(); e != range.end(); ++e) {
       const auto sides = topology.sidesOf(e);

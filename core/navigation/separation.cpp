@@ -25,7 +25,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/navigation/link_obstacles.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/partitioning/partition_builder.hpp"
 
 namespace footfall::detail {

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/partitioning/cutting.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <tuple>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/partitioning/convex_triangulation.hpp"
 #include "core/partitioning/triangle_cutter.hpp"
 
@@ -36,7 +35,7 @@ void sortBy(std::vector<T>& items, const Before& isBefore) {
   if (items.size() < kSortedByThreads)
     std::sort(items.begin(), items.end(), isBefore);
   else
-    tbb::parallel_sort(items.begin(), items.end(), isBefore);
+    parallelSort(items.begin(), items.end(), isBefore);
 }
 
 /// The points that cuts put on source edges, each edge's together and in order from its smaller vertex on.

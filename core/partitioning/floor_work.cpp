@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -1,13 +1,12 @@
 // HeightAwareStrategy: a tree of cuts through the floors alone, across x, y or between heights, by estimated work
 // (ours; thesis 6.1, first item of future work).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/partitioning/floor_work.hpp"
 
@@ -102,7 +101,7 @@ class FloorTree {
     const auto below = [&] { grow(*tree.below, std::move(parts[0]), depth + 1); };
     const auto above = [&] { grow(*tree.above, std::move(parts[1]), depth + 1); };
     if (isLarge)
-      tbb::parallel_invoke(below, above);
+      parallelInvoke(below, above);
     else
       below(), above();
   }
@@ -112,7 +111,7 @@ class FloorTree {
     std::array<Candidate, 3> best;
     const auto find = [&](int axis) { best[axis] = bestCut(part, total, axis); };
     if (part.items.size() >= kParallelSize)
-      tbb::parallel_for(0, 3, find);
+      parallelFor(3, find);
     else
       for (int axis = 0; axis < 3; ++axis) find(axis);
     // Heights are cut first, since no floor is cut then.

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/partitioning/partition_builder.hpp"
 
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/parallel_reduce.h>
-
 #include <algorithm>
 
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "footfall/errors.hpp"
 
@@ -75,10 +73,9 @@ PlanBox planBoxOf(const SourceMesh& mesh, Index triangle) {
 }
 
 PlanBox planBoxOf(const StrategyInput& input) {
-  using Range = tbb::blocked_range<std::size_t>;
-  return tbb::parallel_reduce(
-      Range(0, input.mesh.triangles.size(), kTrianglesPerTask), PlanBox{},
-      [&](const Range& range, PlanBox box) {
+  return parallelReduce(
+      input.mesh.triangles.size(), kTrianglesPerTask, PlanBox{},
+      [&](const auto& range, PlanBox box) {
         input.poll();
         for (std::size_t t = range.begin(); t < range.end(); ++t)
           if (input.removed[t] == 0) include(box, planBoxOf(input.mesh, static_cast<Index>(t)));
@@ -87,8 +84,7 @@ PlanBox planBoxOf(const StrategyInput& input) {
       [](PlanBox box, const PlanBox& other) {
         include(box, other);
         return box;
-      },
-      tbb::simple_partitioner());
+      });
 }
 
 void CellLimit::add(std::int64_t cells) {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 namespace {

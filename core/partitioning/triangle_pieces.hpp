@@ -4,13 +4,12 @@
 // Only a count that chooses where to cut: rounded coordinates are good enough, and always finite.
 #pragma once
 
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/base/parallel.hpp"
 #include "core/partitioning/partition_builder.hpp"
 
 namespace footfall::detail {
@@ -64,7 +63,7 @@ void cutInTwo(CutTree& tree, TrianglePieces pieces, const PlanBox& box, int axis
   const auto below = [&] { grow(*tree.below, std::move(parts[0]), lower); };
   const auto above = [&] { grow(*tree.above, std::move(parts[1]), upper); };
   if (isLarge)
-    tbb::parallel_invoke(below, above);
+    parallelInvoke(below, above);
   else
     below(), above();
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/cell_run.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <iterator>
 #include <span>
 
+#include "core/base/parallel.hpp"
+#include "core/base/worker_arena.hpp"
 #include "core/partitioning/load_balancing.hpp"
 
 namespace footfall::detail {
@@ -63,7 +62,7 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
       cells_(partition.cells.size()),
       passed_(filters_.tests.empty() ? 0 : walkable.size(), 0),
       itemsExpected_(floors.floors.size()),
-      current_(static_cast<std::size_t>(tbb::this_task_arena::max_concurrency())),
+      current_(static_cast<std::size_t>(availableThreads())),
       workers_(current_.size(), nullptr),
       records_(current_.size()),
       cellsLeft_(order_.size()) {
@@ -99,15 +98,14 @@ void CellRun::run() {
   if (threads == 1) {
     work();
   } else {
-    tbb::parallel_for(
-        0, threads, [&](int) { work(); }, tbb::simple_partitioner());
+    forRanges(static_cast<std::size_t>(threads), 1, [&](std::size_t /*first*/, std::size_t /*last*/) { work(); });
   }
   // Floors that cells share may have been triangulated after the cell that they count for was finished.
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) reports_[cell].trianglesOut = cells_[cell].trianglesOut;
 }
 
 void CellRun::work() {
-  const int thread = tbb::this_task_arena::current_thread_index();
+  const int thread = threadNumber();
   if (filters_.clearance != nullptr) workers_[thread] = &filters_.clearance->worker();
   try {
     for (Join next;;) {

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/tile_gathering.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <limits>
 #include <utility>
 
 #include "core/base/byte_stream.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"
 #include "footfall/errors.hpp"
 
@@ -120,8 +119,8 @@ TileGathering::Whole TileGathering::take(RunContext& context) {
   if (!heights_.empty()) heights_.resize(places_.size());
   for (const std::uint32_t layer : layers_)
     if (layer >= layers_.size()) throw BadBytes("is damaged");
-  tbb::parallel_sort(faces_.begin(), faces_.end(),
-                     [](const AddedFace& a, const AddedFace& b) { return comesBefore(a.face, b.face); });
+  parallelSort(faces_.begin(), faces_.end(),
+               [](const AddedFace& a, const AddedFace& b) { return comesBefore(a.face, b.face); });
   context.checkCancelled();
   Whole whole;
   whole.mesh.triangles.reserve(triangles_.size());

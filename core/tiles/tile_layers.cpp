@@ -3,8 +3,6 @@
 // Overlapping triangles are found tile by tile, and for each two tiles that overlap in the plan. The steps that go from
 // triangle to triangle over the whole, growing pieces and choosing their layers, need no exact values: only corners by
 // number, one height for each triangle, and the pairs. All of these are in memory at once.
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <array>
@@ -17,6 +15,7 @@
 
 #include "core/base/background_release.hpp"
 #include "core/base/box_tree.hpp"
+#include "core/base/parallel.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
 #include "core/filters/layers/plan_overlaps.hpp"
 #include "core/mesh/mesh_geometry.hpp"
@@ -55,9 +54,9 @@ std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, std::siz
     MeshGeometry geometry;
     std::vector<Pair> found;
   };
-  tbb::enumerable_thread_specific<Local> locals([&] { return Local{MeshGeometry(made.kernel(), mesh.vertices), {}}; });
+  PerThread<Local> locals([&] { return Local{MeshGeometry(made.kernel(), mesh.vertices), {}}; });
   std::atomic<std::uint64_t> count = 0;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, own.size(), kPerTask), [&](const auto& range) {
+  parallelRanges(own.size(), kPerTask, [&](const auto& range) {
     Local& local = locals.local();
     for (std::size_t i = range.begin(); i != range.end() && count <= most; ++i) {
       context.checkCancelled();

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "footfall/errors.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/coarse_geometry.hpp"

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/run_threads.hpp"
 
-#include <oneapi/tbb/info.h>
-
 #include <QActionGroup>
 #include <QSettings>
 #include <algorithm>
 #include <utility>
 
+#include "core/base/worker_arena.hpp"
 #include "ui/base/commands.hpp"
 
 namespace footfall::ui {
@@ -18,7 +17,7 @@ constexpr int kAllListed = 8;  // of more processors, powers of two are enough
 
 }  // namespace
 
-int processorCount() { return std::max(1, oneapi::tbb::info::default_concurrency()); }
+int processorCount() { return detail::machineThreads(); }
 
 std::vector<int> threadChoices(int processors) {
   std::vector<int> choices;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"

@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
 

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/coarse_geometry.hpp"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/clearance/chosen_clearance.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <atomic>
 #include <utility>
 
+#include "core/base/parallel.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 
 namespace footfall::detail {
@@ -22,7 +21,7 @@ FilterOutcome applyClearanceToChosen(const StatePtr& state, double height, const
   // One at a time: a single one can be most of the work.
   std::atomic<std::size_t> next{0};
   constexpr std::size_t kFacesPerTask = 16;
-  tbb::parallel_for(std::size_t{0}, (faces.size() + kFacesPerTask - 1) / kFacesPerTask, [&](std::size_t) {
+  parallelFor((faces.size() + kFacesPerTask - 1) / kFacesPerTask, [&](std::size_t) {
     ClearancePass::Worker& own = pass.worker();
     for (std::size_t k = 0; k < kFacesPerTask; ++k) {
       const std::size_t i = next.fetch_add(1, std::memory_order_relaxed);

@@ -3,8 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-
 #include <atomic>
 #include <cstdint>
 #include <functional>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "core/base/background_release.hpp"
+#include "core/base/parallel.hpp"
 #include "core/filters/clearance/clearance_clipper.hpp"
 #include "core/filters/clearance/known_cuts.hpp"
 #include "core/filters/face_filter.hpp"
@@ -104,7 +103,7 @@ class ClearancePass {
   std::mutex mutex_;  ///< of what is remembered of large faces
   enum class Crowd : std::int8_t { Unknown, Few, Many };
   mutable std::vector<std::atomic<Crowd>> crowding_;
-  tbb::enumerable_thread_specific<std::unique_ptr<Worker>> workers_;
+  PerThread<std::unique_ptr<Worker>> workers_;
 };
 
 }  // namespace footfall::detail

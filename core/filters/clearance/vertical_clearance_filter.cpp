@@ -1,11 +1,11 @@
 // VerticalClearanceFilter: removes what has an obstacle within the clearance above it (model, Vertical clearance,
 // thesis 3.2).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
 
+#include "core/base/parallel.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 #include "core/filters/filter_registry.hpp"
 
@@ -57,7 +57,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
     const Index faces = done.load(std::memory_order_relaxed);
     context.progress(0.5 * (ofGiants + (1 - giantShare) * faces / count));
   };
-  tbb::parallel_for(Index{0}, giantCount + (count + kFacesPerTask - 1) / kFacesPerTask, [&](Index) {
+  parallelFor(giantCount + (count + kFacesPerTask - 1) / kFacesPerTask, [&](Index) {
     const Index task = nextTask.fetch_add(1, std::memory_order_relaxed);
     ClearancePass::Worker& own = pass.worker();
     if (task < giantCount) {

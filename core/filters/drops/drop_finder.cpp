@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/drops/drop_finder.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <set>
 
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -121,11 +119,11 @@ BorderEdge DropFinder::edgeOf(const Border& border) const {
 
 std::vector<MeshDrop> DropFinder::find(double reach) {
   const double scaledReach = std::ldexp(reach, kernel_.mesh().grid.scaleExponent());
-  tbb::enumerable_thread_specific<Worker> workers([&] {
+  PerThread<Worker> workers([&] {
     return Worker{BorderKinds(kernel_, state_.removed, levels_.step, levels_.height), {}};
   });
   const auto count = static_cast<Index>(borders_.size());
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
+  parallelRanges(count, kBordersPerTask, [&](const auto& range) {
     Worker& worker = workers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();

@@ -6,9 +6,6 @@
 // into as few layers as a greedy pass finds. For that, all overlapping pairs of triangles are listed, unless there are
 // far more of them than triangles, as in a tower of thousands of floors: then pairs are listed within regions only, and
 // layers are asked whether they have room for a piece (layer_cover.hpp). The result is the same.
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <map>
@@ -18,6 +15,8 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
 #include "core/filters/layers/layer_cover.hpp"
@@ -62,11 +61,11 @@ class LayerSubdivision {
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
   std::vector<std::uint32_t> run(const StatePtr& before) {
-    tbb::parallel_invoke([&] { findOverlaps(before); },
-                         [&] {
-                           region_ = findRegions(mesh_, topology_, regionCount_);
-                           findLowest();
-                         });
+    parallelInvoke([&] { findOverlaps(before); },
+                   [&] {
+                     region_ = findRegions(mesh_, topology_, regionCount_);
+                     findLowest();
+                   });
     context_.checkCancelled();
     if (!knowsAllOverlaps_)
       overlaps_ = findPlanOverlapsWithin(region_, regionCount_, *kernel_, mesh_, topology_, context_, fallbacks_);
@@ -109,7 +108,7 @@ class LayerSubdivision {
 
   void findLowest() {
     lowest_.resize(count_);
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count_, kTrianglesPerTask), [&](const auto& range) {
+    parallelRanges(count_, kTrianglesPerTask, [&](const auto& range) {
       context_.checkCancelled();
       for (Index t = range.begin(); t != range.end(); ++t) {
         const auto& c = mesh_.triangles[t].corners;
@@ -150,7 +149,7 @@ class LayerSubdivision {
     std::vector<std::pair<double, Index>> heights;
     for (Index t = 0; t < count_; ++t)
       if (divided[region_[t]] != 0) heights.push_back({lowest_[t], t});
-    tbb::parallel_sort(heights.begin(), heights.end());
+    parallelSort(heights.begin(), heights.end());
     context_.checkCancelled();
     input_.byHeight.resize(heights.size());
     input_.rank.assign(count_, -1);
@@ -169,8 +168,8 @@ class LayerSubdivision {
       divided[region_[pair[0]]] = 1;
       within.push_back(pair);
     }
-    tbb::parallel_invoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); },
-                         [&] { sortByHeight(divided); });
+    parallelInvoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); },
+                   [&] { sortByHeight(divided); });
     context_.checkCancelled();
 
     std::vector<Index> number(regionCount_, -1), regions, first{0};
@@ -184,7 +183,7 @@ class LayerSubdivision {
       if (number[r] >= 0) ++first[number[r] + 1];
     for (std::size_t i = 0; i < regions.size(); ++i) first[i + 1] += first[i];
     std::vector<Index> triangles(first.back()), ranks(first.back());
-    tbb::parallel_invoke(
+    parallelInvoke(
         [&] {
           std::vector<Index> next = first;
           for (Index t = 0; t < count_; ++t)
@@ -198,7 +197,7 @@ class LayerSubdivision {
 
     piece_.assign(count_, 0);
     std::vector<std::vector<Index>> seeds(regionCount_);
-    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
+    parallelFor(regions.size(), [&](std::size_t i) {
       context_.checkCancelled();
       seeds[regions[i]] = subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]},
                                           {ranks.data() + first[i], ranks.data() + first[i + 1]}, piece_, context_);
@@ -240,8 +239,7 @@ class LayerSubdivision {
         if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
     context_.checkCancelled();
     IndexLists conflicts, shared;
-    tbb::parallel_invoke([&] { conflicts = listsOf(above, pieceCount_); },
-                         [&] { shared = listsOf(beside, pieceCount_); });
+    parallelInvoke([&] { conflicts = listsOf(above, pieceCount_); }, [&] { shared = listsOf(beside, pieceCount_); });
     context_.checkCancelled();
     std::vector<char> used(pieceCount_, 0);
     for (const Index p : piece_) used[p] = 1;
@@ -357,11 +355,11 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;
   const bool isOwn = (recall.isLast || state != given) && !recall.keep;
-  tbb::parallel_invoke([&] { layers = subdivision.run(recall.before); },
-                       [&] {
-                         if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
-                         if (recall.meanwhile) recall.meanwhile(*state, *topology);
-                       });
+  parallelInvoke([&] { layers = subdivision.run(recall.before); },
+                 [&] {
+                   if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
+                   if (recall.meanwhile) recall.meanwhile(*state, *topology);
+                 });
   if (isOwn) mesh = ownMeshOf(*state);
   mesh->layers = std::move(layers);
   mesh->layerCount = 0;

@@ -21,9 +21,6 @@
 // triangles with a pair there as a whole. Beside a kerb, there is none.
 #include "core/filters/layers/plan_overlaps.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -33,6 +30,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/unfilled_array.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
@@ -50,7 +48,7 @@ class OverlapFinder {
           return Local{MeshGeometry(kernel, mesh.vertices), {}, {}, {}};
         }),
         places_(mesh.vertices.size()) {
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places_.size(), kVerticesPerTask), [&](const auto& range) {
+    parallelRanges(places_.size(), kVerticesPerTask, [&](const auto& range) {
       context_.checkCancelled();
       for (std::size_t v = range.begin(); v != range.end(); ++v) places_.fill(v, planPlaceOf(mesh_.vertices[v]));
     });
@@ -179,7 +177,7 @@ class OverlapFinder {
   void findInnerSides(const Adjacency& topology) {
     const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
-    tbb::parallel_for(tbb::blocked_range<Index>(0, topology.edgeCount(), kEdgesPerTask), [&](const auto& range) {
+    parallelRanges(topology.edgeCount(), kEdgesPerTask, [&](const auto& range) {
       context_.checkCancelled();
       for (Index e = range.begin(); e != range.end(); ++e) {
         const auto sides = topology.sidesOf(e);
@@ -222,17 +220,15 @@ class OverlapFinder {
   template <class Look>
   void forEach(std::size_t count, Look look) {
     // Some need much longer than others: tasks stay small.
-    const tbb::blocked_range<std::size_t> tasks(0, (count + kPerTask - 1) / kPerTask);
-    const auto run = [&](const tbb::blocked_range<std::size_t>& range) {
+    forRanges((count + kPerTask - 1) / kPerTask, 1, [&](std::size_t first, std::size_t last) {
       Local& local = locals_.local();
-      for (std::size_t i = range.begin() * kPerTask; i < std::min(range.end() * kPerTask, count) && !tooMany(); ++i) {
+      for (std::size_t i = first * kPerTask; i < std::min(last * kPerTask, count) && !tooMany(); ++i) {
         context_.checkCancelled();
         const std::size_t before = local.found.size();
         look(local, i);
         foundCount_.fetch_add(local.found.size() - before, std::memory_order_relaxed);
       }
-    };
-    tbb::parallel_for(tasks, run, tbb::simple_partitioner());
+    });
     for (Local& local : locals_) {
       pairs_.insert(pairs_.end(), local.found.begin(), local.found.end());
       local.found.clear();
@@ -399,7 +395,7 @@ class OverlapFinder {
 
   const WalkableMesh& mesh_;
   RunContext& context_;
-  tbb::enumerable_thread_specific<Local> locals_;
+  PerThread<Local> locals_;
   UnfilledArray<PlanPlace> places_;  ///< of the vertices: a third of what they take, and looked up all the time
   std::vector<Index> across_;        ///< for each side the triangle beyond it when it is inner, else -1
   /// A triangle, or what of it is between two places.

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/radius/bent_margins.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +9,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 
 namespace footfall::detail {
@@ -196,8 +194,8 @@ BentMargins::Source BentMargins::sourceAtBend(const Arrival& arrival) const {
 std::vector<Margin> BentMargins::find() const {
   const auto count = static_cast<Index>(chains_.size());
   std::vector<Found> found(chains_.size());
-  tbb::enumerable_thread_specific<BeamTracer> tracers([&] { return BeamTracer(surface_, context_); });
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kSourcesPerTask), [&](const auto& range) {
+  PerThread<BeamTracer> tracers([&] { return BeamTracer(surface_, context_); });
+  parallelRanges(count, kSourcesPerTask, [&](const auto& range) {
     BeamTracer& tracer = tracers.local();
     for (Index i = range.begin(); i != range.end(); ++i) {
       context_.checkCancelled();

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/radius/border_pieces.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/height_levels.hpp"
 
@@ -177,9 +175,8 @@ std::vector<BorderPiece> dividedBorders(const WalkableState& state, const Margin
                                         RunContext& context, ExactFallbacks& fallbacks) {
   const std::vector<BorderPiece> sides = wholeBorders(surface);
   std::vector<std::vector<BorderPiece>> found(sides.size());
-  tbb::enumerable_thread_specific<BorderDivider> dividers(
-      [&] { return BorderDivider(state, surface, isLedgeInDoubt); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, sides.size(), kSidesPerTask), [&](const auto& range) {
+  PerThread<BorderDivider> dividers([&] { return BorderDivider(state, surface, isLedgeInDoubt); });
+  parallelRanges(sides.size(), kSidesPerTask, [&](const auto& range) {
     BorderDivider& divider = dividers.local();
     for (std::size_t i = range.begin(); i != range.end(); ++i) {
       context.checkCancelled();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/radius/margin_surface.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <stdexcept>
 #include <unordered_set>
 #include <utility>
+
+#include "core/base/parallel.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -34,7 +34,7 @@ MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
       errors_(mesh_.vertices.size()),
       first_(mesh_.triangles.size() * 3 + 1) {
   const int scale = state.kernel->mesh().grid.scaleExponent();
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places_.size(), kVerticesPerTask), [&](const auto& range) {
+  parallelRanges(places_.size(), kVerticesPerTask, [&](const auto& range) {
     context.checkCancelled();
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       const MeshVertex& vertex = mesh_.vertices[v];

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/radius/margins.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
 
 #include "core/base/number_text.hpp"
+#include "core/base/parallel.hpp"
 #include "core/filters/radius/bent_margins.hpp"
 #include "core/filters/radius/border_chains.hpp"
 #include "core/filters/radius/margin_spread.hpp"
@@ -65,7 +63,7 @@ class MarginFinder {
     reached_.resize(chains_.size());
     corners_.resize(chains_.size());
     std::vector<std::vector<Margin>> found(chains_.size());
-    tbb::enumerable_thread_specific<Spread> spreads([&] { return Spread(surface_, context_); });
+    PerThread<Spread> spreads([&] { return Spread(surface_, context_); });
     forChains([&](Index i) {
       if (!isBent(i)) reached_[i] = reachedBy(chains_[i], spreads.local());
     });
@@ -85,13 +83,12 @@ class MarginFinder {
  private:
   template <class Work>
   void forChains(const Work& work) {
-    tbb::parallel_for(tbb::blocked_range<Index>(0, static_cast<Index>(chains_.size()), kChainsPerTask),
-                      [&](const auto& range) {
-                        for (Index i = range.begin(); i != range.end(); ++i) {
-                          context_.checkCancelled();
-                          work(i);
-                        }
-                      });
+    parallelRanges(static_cast<Index>(chains_.size()), kChainsPerTask, [&](const auto& range) {
+      for (Index i = range.begin(); i != range.end(); ++i) {
+        context_.checkCancelled();
+        work(i);
+      }
+    });
   }
 
   void checkSlack(const BorderChain& chain) const {

@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/rounding/generation.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
-
 #include <cmath>
 #include <memory>
 
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/steps/kept_links.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -133,8 +130,8 @@ class SoupBuilder {
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t)
       if (isDivided(t) && !isWholeObstacle(t)) faces.push_back(t);
     const Poll poll(context);
-    tbb::enumerable_thread_specific<std::unique_ptr<FaceMesher>> meshers;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, faces.size(), kFacesPerTask), [&](const auto& range) {
+    PerThread<std::unique_ptr<FaceMesher>> meshers;
+    parallelRanges(faces.size(), kFacesPerTask, [&](const auto& range) {
       auto& mesher = meshers.local();
       if (!mesher) mesher = std::make_unique<FaceMesher>(*state_.kernel, poll);
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
@@ -148,13 +145,12 @@ class SoupBuilder {
         part->places.resize(mesh.points.size());
         // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
         // one's, which would make another mesh in this one's memory.
-        tbb::this_task_arena::isolate([&] {
-          tbb::parallel_for(tbb::blocked_range<std::size_t>(0, mesh.points.size(), kPointsPerTask),
-                            [&](const auto& points) {
-                              poll();
-                              for (std::size_t p = points.begin(); p != points.end(); ++p)
-                                part->places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
-                            });
+        isolated([&] {
+          parallelRanges(mesh.points.size(), kPointsPerTask, [&](const auto& points) {
+            poll();
+            for (std::size_t p = points.begin(); p != points.end(); ++p)
+              part->places[p] = state_.kernel->roundedPosition(mesh.points[p], face);
+          });
         });
         parts[face] = part;
       }

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/rounding/known_places.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <bit>
 #include <cstdint>
 #include <optional>
 
 #include "core/assembly/earlier_result.hpp"
+#include "core/base/parallel.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 
 namespace footfall::detail {
@@ -62,7 +61,7 @@ RoundedPlaces roundVertices(const PlanKernel& kernel, const std::vector<MeshVert
   const VertexTable table(before, context);
   result.places.resize(vertices.size());
   result.exact.assign(vertices.size(), 1);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), kVerticesPerTask), [&](const auto& range) {
+  parallelRanges(vertices.size(), kVerticesPerTask, [&](const auto& range) {
     context.checkCancelled();
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       const MeshVertex& vertex = vertices[v];

@@ -1,7 +1,5 @@
 // From the last state to the product: split along obstacle edges, rounded, repaired, with connections.
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/parallel_invoke.h>
-#include <oneapi/tbb/parallel_sort.h>
 
 #include <algorithm>
 #include <array>
@@ -13,7 +11,8 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/obstacle_split.hpp"
 #include "core/base/geometry.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/base/poll.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/known_places.hpp"
@@ -44,7 +43,7 @@ void addObstacleEdges(const RoundedMesh& mesh, const std::vector<Index>& order, 
       edges.push_back({{std::min(a, b), std::max(a, b)}, i, k});
     }
   }
-  tbb::parallel_sort(edges.begin(), edges.end());
+  parallelSort(edges.begin(), edges.end());
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i > 0 && std::get<0>(edges[i]) == std::get<0>(edges[i - 1])) continue;
     const auto& [places, place, k] = edges[i];
@@ -193,7 +192,7 @@ std::shared_ptr<NavigationMesh> numbered(const SettledMesh& settled, const std::
   const auto cornersOf = [&](std::size_t i) { return rounded.triangles[order[i]].corners; };
   auto result = std::make_shared<NavigationMesh>();
   FirstUses uses;
-  tbb::parallel_invoke(
+  parallelInvoke(
       [&] {
         uses = findFirstUses(order.size(), rounded.vertices.size(), cornersOf, Poll(context));
         result->vertices.resize(uses.order.size());
@@ -244,8 +243,8 @@ SettledProduct settleProduct(const WalkableState& state, const Adjacency& topolo
   const WalkableMesh& mesh = *state.mesh;
   const auto rounded = std::make_shared<RoundedPlaces>();
   SplitParts parts;
-  tbb::parallel_invoke([&] { *rounded = roundVertices(*state.kernel, mesh.vertices, known, context); },
-                       [&] { parts = splitOf(mesh.triangles, mesh.vertices.size(), topology, context); });
+  parallelInvoke([&] { *rounded = roundVertices(*state.kernel, mesh.vertices, known, context); },
+                 [&] { parts = splitOf(mesh.triangles, mesh.vertices.size(), topology, context); });
   SettledMesh settled = settle(std::move(parts), rounded->places, rounded->exact, context);
   return {rounded, std::move(settled)};
 }

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +7,7 @@
 
 #include "core/base/box_tree.hpp"
 #include "core/base/geometry.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
@@ -71,8 +70,8 @@ Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& border
   Tree tree;
   tree.build(all, boundsOf, context);
 
-  tbb::enumerable_thread_specific<Contacts> locals;
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, queries.size(), kBordersPerTask), [&](const auto& range) {
+  PerThread<Contacts> locals;
+  parallelRanges(queries.size(), kBordersPerTask, [&](const auto& range) {
     context.checkCancelled();
     Contacts& local = locals.local();
     for (std::size_t q = range.begin(); q != range.end(); ++q) {

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/rounding/rounded_links.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -24,9 +23,8 @@ class Borders {
  public:
   Borders(const NavigationMesh& mesh, std::vector<Index> sides)
       : mesh_(mesh), corners_(mesh.triangles), sides_(std::move(sides)) {
-    tbb::parallel_sort(sides_.begin(), sides_.end(), [&](Index a, Index b) {
-      return std::pair(placeOf(begin(a)), a) < std::pair(placeOf(begin(b)), b);
-    });
+    parallelSort(sides_.begin(), sides_.end(),
+                 [&](Index a, Index b) { return std::pair(placeOf(begin(a)), a) < std::pair(placeOf(begin(b)), b); });
   }
 
   /// The sides that lead from one place to another, or nothing. Where a border was divided, it goes on with the side

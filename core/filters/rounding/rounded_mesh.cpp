@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/rounding/rounded_mesh.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <utility>
 
 #include "core/base/geometry.hpp"
+#include "core/base/parallel.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/repaired_mesh.hpp"
 #include "core/filters/rounding/snapped_needles.hpp"
@@ -36,7 +35,7 @@ class RoundingRepair {
     const auto count = static_cast<Index>(rounded_.triangles.size());
     std::vector<char> broken(count);
     std::atomic<std::uint64_t> exact{0};
-    tbb::parallel_for(tbb::blocked_range<Index>(0, count, kTrianglesPerTask), [&](const auto& range) {
+    parallelRanges(count, kTrianglesPerTask, [&](const auto& range) {
       context.checkCancelled();
       std::uint64_t exactHere = 0;
       for (Index t = range.begin(); t != range.end(); ++t) {
@@ -297,7 +296,7 @@ std::vector<Vec3> roundVertices(const PlanKernel& kernel, const std::vector<Mesh
                                 std::vector<char>& exact, RunContext& context) {
   std::vector<Vec3> places(vertices.size());
   exact.assign(vertices.size(), 1);
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, vertices.size(), 256), [&](const auto& range) {
+  parallelRanges(vertices.size(), 256, [&](const auto& range) {
     context.checkCancelled();
     for (std::size_t v = range.begin(); v != range.end(); ++v) {
       if (vertices[v].source >= 0) {

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/simplification/simplifier.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_invoke.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -12,6 +8,7 @@
 #include <numeric>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel.hpp"
 #include "core/mesh/first_uses.hpp"
 
 namespace footfall::detail {
@@ -42,12 +39,11 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   const auto prepare = [&] {
     findInnerEdges();
     candidates = findCandidates();
-    tbb::parallel_invoke([&] { mesh_.around.build(mesh_.triangles, candidates); },
-                         [&] { groups = findGroups(candidates); });
+    parallelInvoke([&] { mesh_.around.build(mesh_.triangles, candidates); }, [&] { groups = findGroups(candidates); });
     context_.checkCancelled();
   };
   if (before_ != nullptr)
-    tbb::parallel_invoke(prepare, [&] { relation_ = relateMeshes(*earlier_, *before_->given, given_); });
+    parallelInvoke(prepare, [&] { relation_ = relateMeshes(*earlier_, *before_->given, given_); });
   else
     prepare();
   mesh_.alive.assign(mesh_.triangles.size(), 1);
@@ -59,8 +55,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
       if (g >= 0) ++sizeBefore_[g];
     }
 
-  tbb::enumerable_thread_specific<RegionSimplifier> simplifiers(
-      [&] { return RegionSimplifier(kernel_, mesh_, approximate_, context_); });
+  PerThread<RegionSimplifier> simplifiers([&] { return RegionSimplifier(kernel_, mesh_, approximate_, context_); });
   std::atomic<Index> done{0};
   const auto runTask = [&](std::size_t task) {
     RegionSimplifier& simplifier = simplifiers.local();
@@ -76,7 +71,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
     context_.progress(static_cast<double>(done.fetch_add(size, std::memory_order_relaxed) + size) /
                       static_cast<double>(groups.triangles.size()));
   };
-  tbb::parallel_for(std::size_t{0}, groups.firstOfTask.size() - 1, runTask);
+  parallelFor(groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
   // What is not needed any more makes room for the result.
   mesh_.neighbors = {};
@@ -166,10 +161,10 @@ void Simplifier::findInnerEdges() {
     }
     return;
   }
-  tbb::enumerable_thread_specific<ExactFallbacks> fallbacks;
+  PerThread<ExactFallbacks> fallbacks;
   const Index edgeCount = topology_.edgeCount(), blocks = (edgeCount + kEdgesPerTask - 1) / kEdgesPerTask;
   outlines_.resize(blocks);
-  tbb::parallel_for(Index{0}, blocks, [&](Index block) {
+  parallelFor(blocks, [&](Index block) {
     context_.checkCancelled();
     ExactFallbacks& count = fallbacks.local();
     std::vector<std::array<Index, 2>> outlines;
@@ -210,8 +205,8 @@ std::vector<char> Simplifier::findStraight(Index count) {
   }
   outlines_.clear();
   std::vector<char> candidates(count);
-  tbb::enumerable_thread_specific<MeshGeometry> geometries([&] { return MeshGeometry(kernel_, mesh_.vertices); });
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kVerticesPerTask), [&](const auto& range) {
+  PerThread<MeshGeometry> geometries([&] { return MeshGeometry(kernel_, mesh_.vertices); });
+  parallelRanges(count, kVerticesPerTask, [&](const auto& range) {
     context_.checkCancelled();
     MeshGeometry& geometry = geometries.local();
     for (Index v = range.begin(); v != range.end(); ++v) {
@@ -285,7 +280,7 @@ void Simplifier::copyAlive(WalkableMesh& result) const {
   const std::size_t count = mesh_.triangles.size();
   std::vector<std::size_t> firstOfBlock((count + kTrianglesPerBlock - 1) / kTrianglesPerBlock + 1, 0);
   const auto forBlocks = [&](auto work) {
-    tbb::parallel_for(std::size_t{0}, firstOfBlock.size() - 1, [&](std::size_t block) {
+    parallelFor(firstOfBlock.size() - 1, [&](std::size_t block) {
       context_.checkCancelled();
       work(block, block * kTrianglesPerBlock, std::min((block + 1) * kTrianglesPerBlock, count));
     });
@@ -310,17 +305,17 @@ void Simplifier::copyAlive(WalkableMesh& result) const {
 WalkableMesh Simplifier::compact() const {
   WalkableMesh result;
   FirstUses uses;
-  tbb::parallel_invoke([&] { copyAlive(result); },
-                       [&] {
-                         const auto cornersOf = [&](std::size_t t) {
-                           const auto& corners = mesh_.triangles[t].corners;
-                           return mesh_.alive[t] != 0 ? std::span(corners) : std::span(corners).first(0);
-                         };
-                         uses = findFirstUses(mesh_.triangles.size(), mesh_.vertices.size(), cornersOf, context_);
-                       });
-  tbb::parallel_invoke([&] { renumber(result.triangles, uses, context_); },
-                       [&] { result.vertices.resize(uses.order.size()); });
-  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, uses.order.size(), kVerticesPerTask), [&](const auto& range) {
+  parallelInvoke([&] { copyAlive(result); },
+                 [&] {
+                   const auto cornersOf = [&](std::size_t t) {
+                     const auto& corners = mesh_.triangles[t].corners;
+                     return mesh_.alive[t] != 0 ? std::span(corners) : std::span(corners).first(0);
+                   };
+                   uses = findFirstUses(mesh_.triangles.size(), mesh_.vertices.size(), cornersOf, context_);
+                 });
+  parallelInvoke([&] { renumber(result.triangles, uses, context_); },
+                 [&] { result.vertices.resize(uses.order.size()); });
+  parallelRanges(uses.order.size(), kVerticesPerTask, [&](const auto& range) {
     context_.checkCancelled();
     for (std::size_t v = range.begin(); v != range.end(); ++v) result.vertices[v] = mesh_.vertices[uses.order[v]];
   });

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/steps/step_linker.hpp"
 
-#include <oneapi/tbb/enumerable_thread_specific.h>
-#include <oneapi/tbb/parallel_for.h>
-
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -11,6 +8,7 @@
 #include <unordered_set>
 
 #include "core/base/geometry.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/filters/steps/gap_corners.hpp"
 #include "core/mesh/triangle_corners.hpp"
@@ -117,14 +115,14 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
   const auto append = [](auto& all, auto&& more) {
     all.insert(all.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
   };
-  tbb::enumerable_thread_specific<Worker> workers([&] { return makeWorker(limits, gap); });
+  PerThread<Worker> workers([&] { return makeWorker(limits, gap); });
   directions_.resize(count);
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kDirectionsPerTask), [&](const auto& range) {
+  parallelRanges(count, kDirectionsPerTask, [&](const auto& range) {
     context_.checkCancelled();
     for (Index i = range.begin(); i != range.end(); ++i) directions_[i] = directionOf(splits_.border(i));
   });
   const bool areAllNew = numberBefore_.empty();
-  tbb::parallel_for(tbb::blocked_range<Index>(0, count, kBordersPerTask), [&](const auto& range) {
+  parallelRanges(count, kBordersPerTask, [&](const auto& range) {
     Worker& worker = workers.local();
     StepFindings& found = worker.found;
     const auto tryBoth = [&](Index i, Index other) {

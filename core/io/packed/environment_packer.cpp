@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/packed/environment_packer.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,6 +9,7 @@
 #include <utility>
 
 #include "core/base/hilbert_curve.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/packed/block_writer.hpp"
 #include "core/io/packed/packed_description.hpp"
@@ -148,7 +147,7 @@ EnvironmentPacker::Face EnvironmentPacker::placed(std::uint32_t number, const st
 }
 
 void EnvironmentPacker::sortChunk(std::vector<Face>& chunk) {
-  tbb::parallel_sort(chunk.begin(), chunk.end());
+  parallelSort(chunk.begin(), chunk.end());
   poll();
 }
 

@@ -14,7 +14,7 @@
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/packed/packed_description.hpp"
