@@ -49,6 +49,7 @@ Environment readEnvironment(ByteReader& in) {
   environment.up = static_cast<UpAxis>(in.below(static_cast<int>(UpAxis::NegativeX) + 1));
   environment.metresPerUnit = in.real();
   environment.bothSides = in.below(2) != 0;
+  environment.grid.step = in.real();
   environment.vertices.resize(in.count(3 * sizeof(double)));
   for (Vec3& v : environment.vertices) {
     v.x = in.real();
@@ -75,6 +76,7 @@ void writeJob(const std::string& folder, const Environment& environment, const s
   out.number(static_cast<std::uint64_t>(environment.up));
   out.real(environment.metresPerUnit);
   out.number(environment.bothSides ? 1 : 0);
+  out.real(environment.grid.step);
   out.number(environment.vertices.size());
   for (const Vec3& v : environment.vertices)
     for (const double coordinate : {v.x, v.y, v.z}) out.real(coordinate);

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "core/environment/coordinate_grid.hpp"
 #include "core/environment/environment_head.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/errors.hpp"
@@ -89,7 +90,8 @@ std::shared_ptr<Environment> editedCopy(const std::shared_ptr<const Environment>
     edit->keptTriangles.push_back(static_cast<std::uint32_t>(t));
   }
   const auto first = static_cast<std::uint32_t>(result->vertices.size());
-  result->vertices.insert(result->vertices.end(), added.vertices.begin(), added.vertices.end());
+  const TriangleSoup rounded = detail::onGridOf(*base, added);
+  result->vertices.insert(result->vertices.end(), rounded.vertices.begin(), rounded.vertices.end());
   for (const Triangle& t : added.triangles) result->triangles.push_back({first + t[0], first + t[1], first + t[2]});
   result->edit = std::move(edit);
   carryAttributes(*base, *result, added.triangles.size());

@@ -20,6 +20,7 @@ inline void copyHead(const Environment& from, Environment& to) {
   to.usualRoles = from.usualRoles;
   to.storeys = from.storeys;
   to.notes = from.notes;
+  to.grid = from.grid;
 }
 
 }  // namespace footfall::detail

@@ -142,11 +142,18 @@ FileFrame fbxFrame(const aiMetadata* metadata) {
   return frame;
 }
 
-/// Assimp scales the root of a Collada scene to metres, but coordinates shall stay in the file's unit.
+/// Assimp multiplies the root's transform of a Collada scene with the unit, to make metres of it, but coordinates shall
+/// stay in the file's unit. Assimp's unit may be another float than the nearest one.
 Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
-  const auto unit = static_cast<ai_real>(asset.metresPerUnit.value_or(1));
-  const aiMatrix4x4 scale(unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, unit, 0, 0, 0, 0, 1);
-  return root == scale ? kIdentity : toAffine(root);
+  const double unit = asset.metresPerUnit.value_or(1);
+  Affine undone = toAffine(root);
+  double difference = 0;
+  for (std::size_t row = 0; row < 3; ++row)
+    for (std::size_t column = 0; column < 4; ++column) {
+      if (column < 3) undone[row][column] /= unit;
+      difference = std::max(difference, std::abs(undone[row][column] - kIdentity[row][column]));
+    }
+  return difference < 1e-6 ? kIdentity : undone;
 }
 
 /// The first few bytes of a file, in lower case.
@@ -209,6 +216,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     frame = gltfFrame();  // Assimp turns an IFC file's own unit and axis into these
   }
   SceneReader(path, *scene, environment, context).read(root);
+  frame.areFloats = true;
   return frame;
 }
 

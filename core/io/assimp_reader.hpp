@@ -15,10 +15,12 @@ namespace footfall::detail {
 struct FileFrame {
   std::optional<UpAxis> up;
   std::optional<double> metresPerUnit;
+  bool areFloats = false;  ///< its numbers are floats, or were placed by matrices
+  double gridStep = 0;     ///< a power of two of which all coordinates are multiples, where a converter rounded them
 };
 
 /// glTF 2.0, section 3.4: metres, Y up.
-inline FileFrame gltfFrame() { return {UpAxis::Y, 1.0}; }
+inline FileFrame gltfFrame() { return {UpAxis::Y, 1.0, true}; }
 
 /// Fills `vertices`, `triangles`, `skipped`, `parts` and `partOf` in the file's own frame (no axis is turned, no unit
 /// applied) with the meshes of all nodes. Assimp stores floats; node transforms are multiplied and applied in double,

@@ -55,6 +55,12 @@ void failWithoutTriangles(const std::string& path, const SkippedElements& skippe
             FOOTFALL_TEXT("choose a file that has faces"));
 }
 
+void checkGrid(const ImportOptions& options) {
+  const bool isStep = std::isfinite(options.gridStep) && options.gridStep > 0;
+  if (options.grid == GridChoice::Step && !isStep)
+    throw InputError(FOOTFALL_TEXT("grid: the step must be a positive number; give for example 0.001"));
+}
+
 void checkScale(const ImportOptions& options) {
   if (options.metresPerUnit && !(std::isfinite(*options.metresPerUnit) && *options.metresPerUnit > 0)) {
     throw InputError(

@@ -29,5 +29,7 @@ void setFrame(Environment& environment, const FileFrame& frame, const ImportOpti
 
 /// Throws InputError for a scale that is none.
 void checkScale(const ImportOptions& options);
+/// Throws InputError for a step of the grid that is none.
+void checkGrid(const ImportOptions& options);
 
 }  // namespace footfall::detail

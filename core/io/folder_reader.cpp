@@ -59,6 +59,7 @@ class FolderJoiner {
     if (std::ranges::all_of(whole_.usualRoles, [](PartRole role) { return role == PartRole::Floor; }))
       whole_.usualRoles.clear();
     std::ranges::stable_sort(whole_.storeys, {}, &Storey::height);
+    if (whole_.grid.step == 0) whole_.grid = {};
     whole_.storeys.erase(std::unique(whole_.storeys.begin(), whole_.storeys.end()), whole_.storeys.end());
   }
 
@@ -71,8 +72,16 @@ class FolderJoiner {
       whole_.upGuessed = file.upGuessed;
       whole_.scaleGuessed = file.scaleGuessed;
       whole_.bothSides = file.bothSides;
+      whole_.grid = file.grid;
       return;
     }
+    // Multiples of the coarser step are multiples of the finer one.
+    whole_.grid.step = std::min(whole_.grid.step, file.grid.step);
+    whole_.grid.bits = std::max(whole_.grid.bits, file.grid.bits);
+    whole_.grid.largestMovement = std::max(whole_.grid.largestMovement, file.grid.largestMovement);
+    whole_.grid.weldedVertices += file.grid.weldedVertices;
+    whole_.grid.degenerateTriangles += file.grid.degenerateTriangles;
+    whole_.grid.splitTriangles += file.grid.splitTriangles;
     if (file.metresPerUnit != whole_.metresPerUnit)
       failInput(path, 0,
                 Text(FOOTFALL_TEXT("a unit of it is %1 metres, and one of %2 is %3"), numberText(file.metresPerUnit),

@@ -20,6 +20,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::string_view kFirstLine = "# footfall-ifc 1";
+constexpr double kConverterStep = 1e-6;  // metres; the converter rounds to the power of two that is nearest in ratio
 constexpr const char* kPlace = "footfall/ifc/footfall-ifc.mjs";
 
 std::string_view variable(const char* name) {
@@ -135,6 +136,8 @@ FileFrame readWithIfcConverter(const std::string& converter, const std::string& 
     }
   }
   std::ranges::stable_sort(environment.storeys, {}, &Storey::height);
+  if (frame.metresPerUnit && *frame.metresPerUnit > 0)
+    frame.gridStep = std::exp2(std::round(std::log2(kConverterStep / *frame.metresPerUnit)));
   readObj(path, std::move(result.output), environment, context);
   for (const EnvironmentPart& part : environment.parts) environment.usualRoles.push_back(usualRoleOfClass(part.mesh));
   return frame;

@@ -2,10 +2,12 @@
 #include "core/io/import.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <filesystem>
 #include <system_error>
 
 #include "core/base/sorted_list.hpp"
+#include "core/environment/coordinate_grid.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/io/assimp_reader.hpp"
 #include "core/io/file_frame.hpp"
@@ -14,6 +16,7 @@
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 #include "core/io/packed/packed_environment.hpp"
+#include "core/io/packed/streams.hpp"
 
 namespace footfall {
 using namespace detail;
@@ -35,7 +38,59 @@ FileFrame readIfc(const std::string& path, Environment& environment, RunContext*
   }
 }
 
-Environment readFile(const std::string& path, const ImportOptions& options, RunContext* context) {
+/// An environment in memory, in the file's own frame.
+class EnvironmentSink : public MeshSink {
+ public:
+  explicit EnvironmentSink(Environment& environment) : environment_(environment) {}
+
+  void addVertex(const Vec3& place) override { environment_.vertices.push_back(place); }
+  [[nodiscard]] std::uint64_t vertexCount() const override { return environment_.vertices.size(); }
+  [[nodiscard]] Vec3 vertex(std::uint32_t number) const override { return environment_.vertices[number]; }
+  void addFace(const Triangle& corners, std::uint32_t part) override {
+    environment_.triangles.push_back(corners);
+    environment_.partOf.push_back(part);
+  }
+
+ private:
+  Environment& environment_;
+};
+
+/// PLY and STL as most programs write them, with the doubles that they mean; false leaves `environment` as it was.
+bool readPlain(const std::string& path, const std::string& extension, Environment& environment, FileFrame& frame,
+               RunContext* context) {
+  if (extension != "ply" && extension != "stl") return false;
+  Environment read;
+  read.source = path;
+  EnvironmentSink sink(read);
+  if (!(extension == "ply" ? streamPly(path, read, sink, context) : streamStl(path, read, sink, context))) return false;
+  if (read.parts.empty()) read.partOf.clear();
+  frame.areFloats = sink.areFloats;
+  environment = std::move(read);
+  return true;
+}
+
+/// The grid that `frame` tells of, unless a packed environment has its own.
+void noteGrid(Environment& environment, const FileFrame& frame) {
+  if (frame.gridStep == 0) return;
+  GridExtent extent;
+  for (const Vec3& p : environment.vertices) extent.includeVertex(p);
+  environment.grid.step = frame.gridStep;
+  environment.grid.bits =
+      static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(extent.largest / frame.gridStep)));
+}
+
+/// Puts the whole environment on the grid that the options choose, unless it is on one that is as coarse.
+void chooseGrid(Environment& environment, const ImportOptions& options, bool areFloats, RunContext* context) {
+  GridExtent extent;
+  for (const Vec3& p : environment.vertices) extent.includeVertex(p);
+  for (const Triangle& triangle : environment.triangles)
+    for (const std::uint32_t corner : triangle) extent.include(environment.vertices[corner]);
+  const double step = chosenGridStep(options, areFloats, extent, environment.metresPerUnit);
+  if (step > environment.grid.step) putOnGrid(environment, step, Poll(context));
+}
+
+/// `areFloats` becomes true for files whose numbers are floats.
+Environment readFile(const std::string& path, const ImportOptions& options, bool& areFloats, RunContext* context) {
   checkInputFile(path);
   const std::string extension = lowerExtension(path);
   if (extension == kPackedExtension) return readPacked(path, options, context);
@@ -53,18 +108,25 @@ Environment readFile(const std::string& path, const ImportOptions& options, RunC
                                   : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
-    frame = extension == "ifc" ? readIfc(path, environment, context) : readWithAssimp(path, environment, context);
+    if (!readPlain(path, extension, environment, frame, context))
+      frame = extension == "ifc" ? readIfc(path, environment, context) : readWithAssimp(path, environment, context);
   }
   if (environment.triangles.empty()) failWithoutTriangles(path, environment.skipped);
   setFrame(environment, frame, options, usualFrame(extension));
+  noteGrid(environment, frame);
+  areFloats = areFloats || frame.areFloats;
   return environment;
 }
 
 Environment readEnvironment(const std::string& path, const ImportOptions& options, RunContext* context) {
   checkScale(options);
+  checkGrid(options);
+  bool areFloats = false;
+  const auto read = [&](const std::string& file) { return readFile(file, options, areFloats, context); };
   std::error_code error;
-  if (!std::filesystem::is_directory(path, error)) return readFile(path, options, context);
-  return readFolder(path, [&](const std::string& file) { return readFile(file, options, context); });
+  Environment whole = std::filesystem::is_directory(path, error) ? readFolder(path, read) : read(path);
+  chooseGrid(whole, options, areFloats, context);
+  return whole;
 }
 
 }  // namespace

@@ -166,11 +166,12 @@ std::string environmentSection(const Environment& environment, const Pipeline& p
   const ExportHeader header = makeExportHeader(pipeline);
   std::string html =
       "<section>\n<h2>Environment</h2>\n<p>" +
-      escapeHtml(counted(environment.triangles.size(), "triangle", "triangles") + ", " +
-                 counted(environment.vertices.size(), "vertex", "vertices") + "; " + shownName(environment.up) + " up" +
-                 (environment.upGuessed ? " (guessed)" : "") + ", " + shortNumber(environment.metresPerUnit) +
-                 " m per unit" + (environment.scaleGuessed ? " (guessed)" : "") +
-                 (environment.bothSides ? ", both sides count as up" : "")) +
+      escapeHtml(
+          counted(environment.triangles.size(), "triangle", "triangles") + ", " +
+          counted(environment.vertices.size(), "vertex", "vertices") + "; " + shownName(environment.up) + " up" +
+          (environment.upGuessed ? " (guessed)" : "") + ", " + shortNumber(environment.metresPerUnit) + " m per unit" +
+          (environment.scaleGuessed ? " (guessed)" : "") + (environment.bothSides ? ", both sides count as up" : "") +
+          (environment.grid.step > 0 ? ", coordinates on a grid of " + shortNumber(environment.grid.step) : "")) +
       "</p>\n";
   html += skippedSection(environment.skipped, environment.up);
   if (times.loadMs > 0) html += "<p class=\"quiet\">Loaded in " + milliseconds(times.loadMs) + "</p>\n";

@@ -10,6 +10,7 @@
 #include "core/environment/part_names.hpp"
 #include "core/environment/part_rules.hpp"
 #include "core/environment/skipped_polygons.hpp"
+#include "core/exact/grid.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "footfall/up_axis.hpp"
@@ -75,8 +76,25 @@ std::string number(auto value) {
 
 }  // namespace
 
+std::string gridText(const Environment& environment, int bits) {
+  // Doubles decide nearly everything on coordinates of fewer bits, and rarely on those of more.
+  constexpr int kManyBits = 40;
+  const CoordinateGrid& grid = environment.grid;
+  if (grid.step == 0)
+    return "none; coordinates have " + number(bits) + " bits" +
+           (bits > kManyBits ? ", and --grid on may make runs several times faster" : "");
+  return "step " + number(grid.step) + ", " + number(grid.bits) + " bits; moved by at most " +
+         number(grid.largestMovement) + "; " + counted(grid.weldedVertices, "vertex", "vertices") + " welded, " +
+         counted(grid.degenerateTriangles, "triangle", "triangles") + " became degenerate, " +
+         number(grid.splitTriangles) + " split";
+}
+
 EnvironmentInfo inspectEnvironment(const Environment& environment) {
   EnvironmentInfo info;
+  Grid digits;
+  for (const Vec3& p : environment.vertices)
+    for (const double x : {p.x, p.y, p.z}) digits.include(x);
+  info.bits = digits.width();
   info.triangles = environment.triangles.size();
   info.vertices = environment.vertices.size();
   if (!environment.vertices.empty()) info.lower = info.upper = environment.vertices.front();
@@ -125,6 +143,7 @@ std::string formatInfo(const Environment& environment, const EnvironmentInfo& in
              shownName(environment.up) + (environment.upGuessed ? " (guessed)" : " (given)"));
   appendLine(text, "metres per unit",
              number(environment.metresPerUnit) + (environment.scaleGuessed ? " (guessed)" : " (given)"));
+  appendLine(text, "grid of coordinates", gridText(environment, info.bits));
   appendLine(text, "upper sides", environment.bothSides ? "both (given)" : "front");
   appendLine(text, "degenerate", number(info.degenerate));
   appendLine(text, "duplicate", number(info.duplicate));

@@ -347,6 +347,25 @@ std::string meshLines(const NavigationMesh& mesh) {
          dropLine(mesh, components) + componentLines(components);
 }
 
+Json gridJson(const CoordinateGrid& grid) {
+  if (grid.step == 0) return nullptr;
+  return {{"step", grid.step},
+          {"bits", grid.bits},
+          {"largest_movement", grid.largestMovement},
+          {"welded_vertices", grid.weldedVertices},
+          {"degenerate_triangles", grid.degenerateTriangles},
+          {"split_triangles", grid.splitTriangles}};
+}
+
+std::string gridLine(const Environment& environment) {
+  const CoordinateGrid& grid = environment.grid;
+  if (grid.step == 0) return {};
+  return "coordinates on a grid of " + number(grid.step, "%.6g") + ", moved by at most " +
+         number(grid.largestMovement, "%.2g") + ", " + counted(grid.weldedVertices, "vertex", "vertices") +
+         " welded, " + counted(grid.degenerateTriangles, "triangle", "triangles") + " became degenerate, " +
+         std::to_string(grid.splitTriangles) + " split\n";
+}
+
 }  // namespace
 
 std::string formatStatistics(const Environment& environment, const RunResult& result, const ProgramTimes& times) {
@@ -360,6 +379,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
                          {"metres_per_unit", environment.metresPerUnit},
                          {"scale_guessed", environment.scaleGuessed},
                          {"both_sides", environment.bothSides},
+                         {"grid", gridJson(environment.grid)},
                          {"skipped", skippedJson(environment.skipped)}};
   json["steps"] = Json::array();
   for (const StepStatistics& step : result.steps) {
@@ -426,8 +446,8 @@ std::string formatSummary(const Environment& environment, const RunResult& resul
   std::string text = environment.source + ": " + counted(environment.triangles.size(), "triangle", "triangles") + ", " +
                      shownName(environment.up) + " up" + (environment.upGuessed ? " (guessed)" : "") + ", " +
                      number(environment.metresPerUnit, "%.6g") + " m per unit" +
-                     (environment.scaleGuessed ? " (guessed)" : "") + '\n' + skippedLines(environment) + '\n' +
-                     formatTable(rows) + '\n';
+                     (environment.scaleGuessed ? " (guessed)" : "") + '\n' + gridLine(environment) +
+                     skippedLines(environment) + '\n' + formatTable(rows) + '\n';
   text += meshLines(mesh);
   for (const BlockReport& block : result.blocks) {
     text += "block of " + counted(block.cells.size(), "cell", "cells") + ": partitioning " +

@@ -18,10 +18,10 @@ struct EnvironmentEdit {
   std::vector<std::uint32_t> keptTriangles;  ///< numbers in the base, ascending
 };
 
-/// `base` without the triangles `removed` (ascending numbers) and with `added` at its end. Vertices that no triangle
-/// uses any more go with them. Triangles keep their parts and roles; those that were added belong to a part without
-/// names, where there are parts at all, and have no role. Throws InputError when a number is out of range or a
-/// coordinate is not finite.
+/// `base` without the triangles `removed` (ascending numbers) and with `added` at its end, rounded to the grid of
+/// `base` where it has one. Vertices that no triangle uses any more go with them. Triangles keep their parts and roles;
+/// those that were added belong to a part without names, where there are parts at all, and have no role. Throws
+/// InputError when a number is out of range or a coordinate is not finite.
 std::shared_ptr<const Environment> editEnvironment(const std::shared_ptr<const Environment>& base,
                                                    const std::vector<std::uint32_t>& removed,
                                                    const TriangleSoup& added);

@@ -1,4 +1,4 @@
-// The loaded environment: a polygon soup in double precision, exactly as the file gave it, with Z up.
+// The loaded environment: a polygon soup in double precision, with Z up.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,14 +14,42 @@
 
 namespace footfall {
 
-/// The user's statements about a file; empty ones are guessed from the format and reported.
+/// Which coordinates import() rounds to a grid, and to which (docs/coordinates.md).
+enum class GridChoice : std::uint8_t {
+  Auto,  ///< files of floats and of placed meshes (glTF, FBX, DAE, 3DS, binary STL, PLY in floats), to the usual step
+  On,    ///< all files, to the usual step
+  Off,   ///< no file
+  Step   ///< all files, to ImportOptions::gridStep
+};
+
+/// What the user may say about a file; what is left empty is guessed from the format and reported.
 struct ImportOptions {
   std::optional<UpAxis> up;
-  /// Metres per unit of the file. Never applied to coordinates (they stay exact): it only turns metres into the
-  /// environment's units in the default pipeline and in what is shown.
+  /// Metres per unit of the file. Coordinates are never multiplied with it: it turns metres into the environment's
+  /// units in the default pipeline and in what is shown, and it bounds the usual step of the grid.
   std::optional<double> metresPerUnit;
   /// Treat both sides of every triangle as its upper side, for soups with unreliable winding.
   bool bothSides = false;
+  GridChoice grid = GridChoice::Auto;
+  /// With GridChoice::Step, in units of the file, above 0: the step is the largest power of two that is not above it.
+  double gridStep = 0;
+  /// The step that an earlier reading of the file used, a power of two in units of the file, or 0. It is used in place
+  /// of the usual step while the usual one is at most four times smaller or larger, so that a file that is saved again
+  /// and read again keeps its vertices.
+  double keptGridStep = 0;
+};
+
+/// The grid on which import put the coordinates of an environment, and what that changed.
+struct CoordinateGrid {
+  /// In units of the environment, a power of two: all coordinates are multiples of it. 0: there is no grid, and
+  /// coordinates are those that the file gives.
+  double step = 0;
+  std::uint32_t bits = 0;            ///< of the largest coordinate, counted in steps
+  double largestMovement = 0;        ///< the largest distance between a vertex of the file and its place on the grid
+  std::uint64_t weldedVertices = 0;  ///< distinct places that became one with another, nearer than two steps
+  std::uint64_t degenerateTriangles = 0;  ///< triangles that have an area in the file and none on the grid
+  std::uint64_t splitTriangles = 0;       ///< triangles that got vertices of others on their edges, nearer than a step
+  bool operator==(const CoordinateGrid&) const = default;
 };
 
 enum class SkipReason : std::uint8_t {
@@ -68,9 +96,9 @@ enum class PartRole : std::uint8_t {
 
 struct EnvironmentEdit;  // footfall/edit.hpp
 
-/// A triangle soup, from load() or filled by a program (checkEnvironment()). Coordinates are the file's own doubles; a
-/// file whose up axis is another is turned to Z up (a Y-up file by (x, y, z) -> (x, -z, y)), which is exact and is
-/// undone on export.
+/// A triangle soup, from load() or filled by a program (checkEnvironment()). Coordinates are the file's own doubles, or
+/// lie on a grid near them (CoordinateGrid); a file whose up axis is another is turned to Z up (a Y-up file by (x, y,
+/// z) -> (x, -z, y)), which is exact and is undone on export.
 struct Environment {
   std::string source;  ///< path as given by the user, for messages and export comments
   std::string origin;  ///< for a packed environment: the name of the file that was packed, for export comments
@@ -91,8 +119,9 @@ struct Environment {
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// The edit by which it was made from another environment; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
-  std::vector<Storey> storeys;  ///< storeys of a building, ascending by height; empty if the file has none
-  std::vector<Text> notes;      ///< notes for the user on how the file was read, a sentence each
+  std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
+  std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
+  CoordinateGrid grid;          ///< limits of filters include its step (docs/coordinates.md)
 
   [[nodiscard]] SourceFrame frame() const { return {origin.empty() ? source : origin, up, metresPerUnit, storeys}; }
 };

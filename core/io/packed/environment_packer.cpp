@@ -10,9 +10,11 @@
 
 #include "core/base/hilbert_curve.hpp"
 #include "core/base/parallel_sort.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/packed/block_writer.hpp"
 #include "core/io/packed/packed_description.hpp"
+#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -110,6 +112,8 @@ void EnvironmentPacker::restart() {
   faces_.clear();
   pages_->clear();
   vertexCount_ = faceCount_ = 0;
+  rounding_.reset();
+  areFloats = false;
 }
 
 void EnvironmentPacker::addVertex(const Vec3& place) {
@@ -122,13 +126,111 @@ void EnvironmentPacker::addVertex(const Vec3& place) {
   vertices_.append(bytesOf(place));
 }
 
-Vec3 EnvironmentPacker::vertex(std::uint32_t number) const { return pages_->at(vertices_, number); }
+Vec3 EnvironmentPacker::vertex(std::uint32_t number) const {
+  const Vec3 place = pages_->at(vertices_, number);
+  return rounding_ ? inFileFrame(rounding_->placed(fromFileFrame(place, up_)), up_) : place;
+}
 
 void EnvironmentPacker::addFace(const Triangle& corners, std::uint32_t part) {
   if (faceCount_ == std::numeric_limits<std::uint32_t>::max())
     failInput(input_, 0, FOOTFALL_TEXT("more than 4294967295 triangles"), FOOTFALL_TEXT("split the file"));
   ++faceCount_;
   faces_.append(bytesOf(KeptFace{corners, part}));
+}
+
+template <class Take>
+void EnvironmentPacker::forEachVertex(const Take& take) const {
+  constexpr std::uint64_t kAtOnce = 8192;
+  std::vector<Vec3> read(kAtOnce);
+  for (std::uint64_t first = 0; first < vertexCount_; first += kAtOnce) {
+    poll();
+    const auto count = static_cast<std::size_t>(std::min(kAtOnce, vertexCount_ - first));
+    vertices_.read(first * sizeof(Vec3), read.data(), count * sizeof(Vec3));
+    for (std::size_t i = 0; i < count; ++i) take(fromFileFrame(read[i], up_));
+  }
+}
+
+template <class Take>
+void EnvironmentPacker::forEachFace(const Take& take) const {
+  constexpr std::uint64_t kAtOnce = 4096;
+  std::vector<KeptFace> read(kAtOnce);
+  for (std::uint64_t first = 0; first < faceCount_; first += kAtOnce) {
+    poll();
+    const auto count = static_cast<std::size_t>(std::min(kAtOnce, faceCount_ - first));
+    faces_.read(first * sizeof(KeptFace), read.data(), count * sizeof(KeptFace));
+    for (std::size_t i = 0; i < count; ++i) {
+      std::array<Vec3, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) corners[k] = fromFileFrame(pages_->at(vertices_, read[i].corners[k]), up_);
+      take(corners);
+    }
+  }
+}
+
+/// Goes through the places in slabs of x that fit into memory; places of one x are never divided.
+WeldedPlaces EnvironmentPacker::findWelds(double step) const {
+  constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
+  GridWelder welder;
+  std::vector<GridPlace> places;
+  std::int64_t first = std::numeric_limits<std::int64_t>::min();
+  while (first < kLast) {
+    places.clear();
+    std::int64_t end = kLast;  // the places from `first` to `end` are kept; beyond it something was left out
+    std::size_t most = 2 * memory_.weldedVertices;
+    forEachVertex([&](const Vec3& p) {
+      const GridPlace place = gridPlace(p, step);
+      if (place[0] < first || place[0] > end) return;
+      places.push_back(place);
+      if (places.size() < most) return;
+      sortOnce(places);
+      if (places.size() > memory_.weldedVertices) {
+        const std::int64_t last = std::max(places[memory_.weldedVertices][0], places.front()[0] + 1);
+        end = std::min(end, last);
+        std::erase_if(places, [&](const GridPlace& other) { return other[0] > end; });
+      }
+      most = std::max(most, 2 * places.size());
+    });
+    sortOnce(places);
+    welder.addSlab(places, end, Poll(context_));
+    first = end;
+  }
+  return welder.finish();
+}
+
+CoordinateGrid EnvironmentPacker::putOnGrid(const ImportOptions& options, UpAxis up, double metresPerUnit) {
+  up_ = up;
+  GridExtent extent;
+  forEachVertex([&](const Vec3& p) { extent.includeVertex(p); });
+  forEachFace([&](const std::array<Vec3, 3>& corners) {
+    for (const Vec3& corner : corners) extent.include(corner);
+  });
+  const double step = chosenGridStep(options, areFloats, extent, metresPerUnit);
+  if (step == 0) return {};
+  if (faceCount_ <= memory_.facesOnGrid && vertexCount_ <= kMostSplitVertices) return putOnGridInMemory(step);
+  GridRounding rounding(step, findWelds(step));
+  forEachVertex([&](const Vec3& p) { rounding.countVertex(p, rounding.placed(p)); });
+  forEachFace([&](const std::array<Vec3, 3>& corners) {
+    rounding.countTriangle(corners,
+                           {rounding.placed(corners[0]), rounding.placed(corners[1]), rounding.placed(corners[2])});
+  });
+  rounding_.emplace(std::move(rounding));
+  return rounding_->grid();
+}
+
+CoordinateGrid EnvironmentPacker::putOnGridInMemory(double step) {
+  Environment whole;
+  forEachVertex([&](const Vec3& p) { whole.vertices.push_back(p); });
+  std::vector<KeptFace> read(static_cast<std::size_t>(faceCount_));
+  faces_.read(0, read.data(), read.size() * sizeof(KeptFace));
+  for (const KeptFace& face : read) {
+    whole.triangles.push_back(face.corners);
+    whole.partOf.push_back(face.part);
+  }
+  read = {};
+  detail::putOnGrid(whole, step, Poll(context_));
+  restart();
+  for (const Vec3& p : whole.vertices) addVertex(inFileFrame(p, up_));
+  for (std::size_t t = 0; t < whole.triangles.size(); ++t) addFace(whole.triangles[t], whole.partOf[t]);
+  return whole.grid;
 }
 
 EnvironmentPacker::Face EnvironmentPacker::placed(std::uint32_t number, const std::uint32_t* kept) const {

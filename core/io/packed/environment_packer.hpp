@@ -5,10 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/environment/coordinate_grid.hpp"
+#include "core/environment/edge_splitting.hpp"
 #include "core/io/output_files.hpp"
+#include "core/io/packed/mesh_sink.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/run_context.hpp"
 
@@ -20,6 +24,10 @@ struct PackingMemory {
   std::size_t cachedPages = 1024;               ///< pages of 2,048 vertices that are looked up again
   std::size_t sortedFaces = std::size_t{1} << 20;  ///< faces, of 104 bytes each, that are sorted at a time
   std::size_t merged = std::size_t{64} << 20;      ///< bytes that are read ahead of all sorted runs together
+  /// Up to so many faces are put on a grid in memory. What is split there is split nowhere else, so tests alone set
+  /// less.
+  std::uint64_t facesOnGrid = kMostSplitTriangles;
+  std::size_t weldedVertices = std::size_t{1} << 23;  ///< of 24 bytes each, among which welding looks at a time
 };
 
 /// What was packed.
@@ -34,25 +42,25 @@ struct PackedCounts {
 ///
 /// All functions throw RunError when the disk is full or cannot be written, InputError "PATH: what; what to do" for
 /// more than 4294967295 vertices or faces (PATH is the input), and Cancelled.
-class EnvironmentPacker {
+class EnvironmentPacker : public MeshSink {
  public:
   /// `target` is written by finish() and must not be the input. `context` may be null.
   EnvironmentPacker(const std::string& input, const std::string& target, RunContext* context,
                     const PackingMemory& memory = {});
-  ~EnvironmentPacker();
-  EnvironmentPacker(const EnvironmentPacker&) = delete;
-  EnvironmentPacker& operator=(const EnvironmentPacker&) = delete;
+  ~EnvironmentPacker() override;
 
   /// Forgets all vertices and faces.
   void restart();
-  /// In the file's own frame; finite.
-  void addVertex(const Vec3& place);
-  [[nodiscard]] std::uint64_t vertexCount() const { return vertexCount_; }
+  void addVertex(const Vec3& place) override;
+  [[nodiscard]] std::uint64_t vertexCount() const override { return vertexCount_; }
   [[nodiscard]] std::uint64_t faceCount() const { return faceCount_; }
-  /// One that was added.
-  [[nodiscard]] Vec3 vertex(std::uint32_t number) const;
-  /// Corners may be vertices that come later. `part` is 0 where there are no parts.
-  void addFace(const Triangle& corners, std::uint32_t part);
+  [[nodiscard]] Vec3 vertex(std::uint32_t number) const override;
+  void addFace(const Triangle& corners, std::uint32_t part) override;
+
+  /// Puts all vertices on the grid that `options` choose, as importing the file does (core/environment/
+  /// coordinate_grid.hpp), and returns it. For the end, before finish(). `up` is the axis of the frame in which
+  /// importing rounds. Reads all faces twice, and all vertices once for each PackingMemory::weldedVertices of them.
+  CoordinateGrid putOnGrid(const ImportOptions& options, UpAxis up, double metresPerUnit);
 
   /// Sorts and writes. `head` says everything apart from geometry (encodeDescription()); faces have no parts where it
   /// has none.
@@ -68,6 +76,12 @@ class EnvironmentPacker {
   std::vector<Run> sortRuns(std::vector<Face>& last);
   template <class Take>
   void mergeRuns(const std::vector<Run>& runs, const Take& take);
+  template <class Take>
+  void forEachVertex(const Take& take) const;
+  template <class Take>
+  void forEachFace(const Take& take) const;
+  CoordinateGrid putOnGridInMemory(double step);
+  [[nodiscard]] WeldedPlaces findWelds(double step) const;
   void poll() const;
   void progress(double done) const;
 
@@ -78,6 +92,8 @@ class EnvironmentPacker {
   std::unique_ptr<VertexPages> pages_;
   std::uint64_t vertexCount_ = 0, faceCount_ = 0;
   Vec3 lower_, upper_;  ///< of all vertices
+  std::optional<GridRounding> rounding_;
+  UpAxis up_ = UpAxis::Z;  ///< of the rounding
 };
 
 }  // namespace footfall::detail

@@ -248,6 +248,7 @@ class GlbStream {
 bool streamGlb(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context) {
   try {
     const GlbFile file(path);
+    packer.areFloats = true;
     GlbStream(file, head, packer, context).read();
     return true;
   } catch (const NotPlain&) {

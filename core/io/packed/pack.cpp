@@ -57,6 +57,7 @@ PackResult packEnvironment(const std::string& path, const std::string& target, c
     FileFrame frame;
     if (extension == "glb") frame = gltfFrame();
     setFrame(head, frame, options, usualFrame(extension));
+    head.grid = packer.putOnGrid(options, head.up, head.metresPerUnit);
   } else {
     packer.restart();
     head = {};

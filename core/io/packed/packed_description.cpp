@@ -87,6 +87,28 @@ SkippedPolygon decodeSkipped(ByteReader& in) {
   return polygon;
 }
 
+void encode(const CoordinateGrid& grid, ByteWriter& out) {
+  out.real(grid.step);
+  out.number(grid.bits);
+  out.real(grid.largestMovement);
+  out.number(grid.weldedVertices);
+  out.number(grid.degenerateTriangles);
+  out.number(grid.splitTriangles);
+}
+
+CoordinateGrid decodeGrid(ByteReader& in) {
+  CoordinateGrid grid;
+  grid.step = finite(in.real());
+  int exponent = 0;
+  if (grid.step != 0 && std::frexp(grid.step, &exponent) != 0.5) throw BadBytes("the grid's step is no power of two");
+  grid.bits = static_cast<std::uint32_t>(in.below(64));
+  grid.largestMovement = finite(in.real());
+  grid.weldedVertices = in.number();
+  grid.degenerateTriangles = in.number();
+  grid.splitTriangles = in.number();
+  return grid;
+}
+
 std::string fileName(const Environment& environment) {
   if (!environment.origin.empty()) return environment.origin;
   std::filesystem::path source = environment.source;
@@ -143,6 +165,7 @@ std::string encodeDescription(const Environment& environment) {
   out.number(environment.skipped.polygons);
   out.number(environment.skipped.listed.size());
   for (const SkippedPolygon& polygon : environment.skipped.listed) encode(polygon, environment.up, out);
+  encode(environment.grid, out);
   return std::move(out.bytes);
 }
 
@@ -163,6 +186,7 @@ Environment decodeDescription(std::string_view bytes) {
   const std::size_t listed = in.count(6);
   if (listed > SkippedElements::kMostListed) throw BadBytes("the list of polygons is too long");
   for (std::size_t i = 0; i < listed; ++i) head.skipped.listed.push_back(decodeSkipped(in));
+  if (!in.rest().empty()) head.grid = decodeGrid(in);  // not in versions 1 and 2
   in.expectEnd();
   return head;
 }

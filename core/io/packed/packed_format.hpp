@@ -9,15 +9,17 @@
 //   corners (three numbers of 16 bits for each face, into the block's own vertices).
 // - From a multiple of 64 on, the coarse faces of all blocks, one block after the other (coarseFaces()): 18 bytes, a
 //   PackedCoarseFace, for each. Not in version 1.
-// - The description, encodeDescription(): what an environment says of itself apart from its geometry.
+// - The description, encodeDescription(): what an environment says of itself apart from its geometry. Its grid is not
+//   in versions 1 and 2.
 // - From a multiple of 64 on, the table of blocks: 96 bytes, a PackedBlock, for each, and behind them 32 bytes, a
 //   PackedCoarse (not in version 1).
 //
 // A block has the faces that follow each other along a Hilbert curve through the middles of all faces, kBlockFaces of
-// them but for the last, and all vertices that they need. Coordinates are the file's own, in its own frame. Numbers are
-// those of Environment::vertices and Environment::triangles, so that what is read from all blocks is the environment
-// that was packed, to the last bit. A vertex that faces of several blocks need stands in each; it belongs to the first
-// of them, where it is among the first `ownVertices`. Vertices of no face come last, in blocks without faces.
+// them but for the last, and all vertices that they need. Coordinates are those that importing the file gives, in the
+// file's own frame. Numbers are those of Environment::vertices and Environment::triangles, so that what is read from
+// all blocks is the environment that was packed, to the last bit. A vertex that faces of several blocks need stands in
+// each; it belongs to the first of them, where it is among the first `ownVertices`. Vertices of no face come last, in
+// blocks without faces.
 #pragma once
 
 #include <array>
@@ -34,7 +36,7 @@ static_assert(std::endian::native == std::endian::little, "packed environments a
 /// The line ends show what has changed them on its way.
 inline constexpr std::string_view kPackedMagic{"FFENV\r\n\x1a", 8};
 /// To be raised with each change of the bytes; later ones are refused.
-inline constexpr std::uint32_t kPackedVersion = 2;
+inline constexpr std::uint32_t kPackedVersion = 3;
 inline constexpr std::string_view kPackedExtension = "ffenv";
 /// Corners fit into 16 bits.
 inline constexpr std::uint32_t kBlockFaces = 16384, kBlockVertices = 3 * kBlockFaces;

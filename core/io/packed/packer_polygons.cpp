@@ -12,7 +12,7 @@ bool triangulatePolygon(std::span<const std::uint32_t> corners, const PackerVert
   std::sort(numbers.begin(), numbers.end());
   numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   std::vector<Vec3> places;
-  for (const std::uint32_t number : numbers) places.push_back(vertices.packer.vertex(number));
+  for (const std::uint32_t number : numbers) places.push_back(vertices.sink.vertex(number));
   std::vector<std::uint32_t> local;
   for (const std::uint32_t corner : corners)
     local.push_back(
@@ -32,7 +32,7 @@ SkippedPolygon skippedPolygon(std::span<const std::uint32_t> corners, const Pack
     local.push_back(static_cast<std::uint32_t>(known - numbers.begin()));
     if (known != numbers.end()) continue;
     numbers.push_back(corner);
-    places.push_back(vertices.packer.vertex(corner));
+    places.push_back(vertices.sink.vertex(corner));
   }
   return detail::skippedPolygon(local, places);
 }

@@ -1,4 +1,4 @@
-// Splitting polygons whose vertices a packer has.
+// Splitting polygons whose vertices a sink has.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,14 @@
 
 #include "core/base/poll.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/io/packed/environment_packer.hpp"
+#include "core/io/packed/mesh_sink.hpp"
 #include "core/io/polygon_triangulation.hpp"
 
 namespace footfall::detail {
 
 /// All vertices so far, where polygons look for their corners.
 struct PackerVertices {
-  const EnvironmentPacker& packer;
+  const MeshSink& sink;
 };
 
 /// As the functions of these names for a list of vertices: they go by the places of corners, and by which are the same.

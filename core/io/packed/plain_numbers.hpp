@@ -1,13 +1,13 @@
-// Words and numbers of text formats, read as Assimp reads them.
+// Words and numbers of text formats.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
-
-#include <assimp/fast_atof.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -45,18 +45,12 @@ inline bool isPlainNumber(std::string_view word) {
   return exponent > 0 && exponent < 4 && word.empty();
 }
 
-/// What Assimp throws where there is no number, which isPlainNumber() keeps from happening.
-struct NoPlainNumber {
-  template <class... Words>
-  explicit NoPlainNumber(Words&&... /*words*/) {}
-};
-
-/// The number that Assimp makes of a word: not always the nearest one. False where the word is not plain. Something
-/// that is no digit must follow the word in memory.
-template <class Number>
-bool readAsAssimp(std::string_view word, Number& number) {
+/// The double nearest to a plain number. False where the word is not plain, or too large for a double.
+inline bool readNearest(std::string_view word, double& number) {
   if (!isPlainNumber(word)) return false;
-  Assimp::fast_atoreal_move<Number, NoPlainNumber>(word.data(), number);
+  if (word[0] == '+') word.remove_prefix(1);
+  const auto read = std::from_chars(word.data(), word.data() + word.size(), number);
+  if (read.ec == std::errc::result_out_of_range) number = std::strtod(std::string(word).c_str(), nullptr);
   return std::isfinite(number);
 }
 

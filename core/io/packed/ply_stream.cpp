@@ -135,17 +135,17 @@ class PlyHeaderReader {
   int elements_ = 0;
 };
 
-/// What binary and ASCII files have in common: vertices as floats, faces as numbers of vertices.
+/// What binary and ASCII files have in common: vertices, and faces as numbers of vertices.
 class PlyTarget {
  public:
-  PlyTarget(const PlyLayout& layout, Environment& head, EnvironmentPacker& packer, RunContext* context)
-      : layout_(layout), head_(head), packer_(packer), context_(context) {}
+  PlyTarget(const PlyLayout& layout, Environment& head, MeshSink& sink, RunContext* context)
+      : layout_(layout), head_(head), sink_(sink), context_(context) {}
 
-  bool addVertex(const std::array<float, 3>& place) {
+  bool addVertex(const std::array<double, 3>& place) {
     poll();
-    for (const float x : place)
+    for (const double x : place)
       if (!std::isfinite(x)) return false;
-    packer_.addVertex({place[0], place[1], place[2]});
+    sink_.addVertex({place[0], place[1], place[2]});
     return true;
   }
   /// Corners below the number of vertices.
@@ -156,13 +156,13 @@ class PlyTarget {
     for (const std::uint32_t corner : corners)
       if (corner >= layout_.vertices) return false;
     triangles_.clear();
-    const PackerVertices vertices{packer_};
+    const PackerVertices vertices{sink_};
     if (!triangulatePolygon(corners, vertices, triangles_, Poll(context_))) {
       SkippedPolygon skipped = skippedPolygon(corners, vertices);
       skipped.face = faces_;
       addSkipped(head_.skipped, std::move(skipped));
     }
-    for (const Triangle& triangle : triangles_) packer_.addFace(triangle, 0);
+    for (const Triangle& triangle : triangles_) sink_.addFace(triangle, 0);
     return true;
   }
 
@@ -176,7 +176,7 @@ class PlyTarget {
 
   const PlyLayout& layout_;
   Environment& head_;
-  EnvironmentPacker& packer_;
+  MeshSink& sink_;
   RunContext* context_;
   std::vector<Triangle> triangles_;
   std::uint64_t faces_ = 0, done_ = 0;
@@ -258,13 +258,13 @@ class BinaryPly {
   }
 
   bool readVertex() {
-    std::array<float, 3> place{};
+    std::array<double, 3> place{};
     for (std::size_t p = 0; p < layout_.ofVertex.size(); ++p) {
       const PlyType type = layout_.ofVertex[p].type;
       const char* bytes = pieces_.take(sizeOf(type));
       if (bytes == nullptr) return false;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if (layout_.place[axis] == p) place[axis] = number<float>(bytes, type);
+        if (layout_.place[axis] == p) place[axis] = number<double>(bytes, type);
     }
     return target_.addVertex(place);
   }
@@ -317,18 +317,17 @@ class AsciiPly {
     return std::all_of(words_.begin(), words_.end(), isPlainNumber);
   }
 
-  static bool readCoordinate(std::string_view word, PlyType type, float& x) {
-    if (type == PlyType::Float) return readAsAssimp(word, x);
-    double wide = 0;
+  static bool readCoordinate(std::string_view word, PlyType type, double& x) {
+    if (isFraction(type)) return readNearest(word, x);
     std::int32_t whole = 0;
-    if (type == PlyType::Double ? !readAsAssimp(word, wide) : !readWhole(word, whole)) return false;
-    x = type == PlyType::Double ? static_cast<float>(wide) : static_cast<float>(whole);
+    if (!readWhole(word, whole)) return false;
+    x = whole;
     return true;
   }
 
   bool readVertex() {
     if (!nextLine() || words_.size() != layout_.ofVertex.size()) return false;
-    std::array<float, 3> place{};
+    std::array<double, 3> place{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const std::size_t p = layout_.place[axis];
       if (!readCoordinate(words_[p], layout_.ofVertex[p].type, place[axis])) return false;
@@ -363,11 +362,13 @@ class AsciiPly {
 
 }  // namespace
 
-bool streamPly(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context) {
+bool streamPly(const std::string& path, Environment& head, MeshSink& sink, RunContext* context) {
   const InputFile file(path);
   const std::optional<PlyLayout> layout = PlyHeaderReader().read(file);
   if (!layout) return false;
-  PlyTarget target(*layout, head, packer, context);
+  const auto isFloat = [&](std::size_t p) { return layout->ofVertex[p].type == PlyType::Float; };
+  sink.areFloats = !layout->isAscii && std::any_of(layout->place.begin(), layout->place.end(), isFloat);
+  PlyTarget target(*layout, head, sink, context);
   return layout->isAscii ? AsciiPly(path, *layout, target).read() : BinaryPly(file, *layout, target).read();
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -20,17 +21,18 @@ constexpr std::size_t kHeader = 84, kFacet = 50;
 constexpr std::uint64_t kFacetsAtOnce = 16384;
 constexpr std::size_t kLongestName = 1023;  // of Assimp
 
-bool addFacet(const std::array<std::array<float, 3>, 3>& corners, std::uint32_t part, EnvironmentPacker& packer) {
-  const auto first = static_cast<std::uint32_t>(packer.vertexCount());
+bool addFacet(const std::array<std::array<double, 3>, 3>& corners, std::uint32_t part, MeshSink& sink) {
+  const auto first = static_cast<std::uint32_t>(sink.vertexCount());
   for (const auto& [x, y, z] : corners) {
     if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return false;
-    packer.addVertex({x, y, z});
+    sink.addVertex({x, y, z});
   }
-  packer.addFace({first, first + 1, first + 2}, part);
+  sink.addFace({first, first + 1, first + 2}, part);
   return true;
 }
 
-bool streamBinary(const InputFile& file, std::uint64_t facets, EnvironmentPacker& packer, RunContext* context) {
+bool streamBinary(const InputFile& file, std::uint64_t facets, MeshSink& sink, RunContext* context) {
+  sink.areFloats = true;
   std::vector<char> bytes(kFacetsAtOnce * kFacet);
   for (std::uint64_t first = 0; first < facets; first += kFacetsAtOnce) {
     if (context != nullptr) {
@@ -40,9 +42,11 @@ bool streamBinary(const InputFile& file, std::uint64_t facets, EnvironmentPacker
     const auto count = static_cast<std::size_t>(std::min(kFacetsAtOnce, facets - first));
     if (file.read(kHeader + first * kFacet, bytes.data(), count * kFacet) < count * kFacet) return false;
     for (std::size_t f = 0; f < count; ++f) {
-      std::array<std::array<float, 3>, 3> corners;
-      std::memcpy(&corners, bytes.data() + f * kFacet + 3 * sizeof(float), sizeof corners);  // behind the normal
-      if (!addFacet(corners, 0, packer)) return false;
+      std::array<std::array<float, 3>, 3> stored;
+      std::memcpy(&stored, bytes.data() + f * kFacet + 3 * sizeof(float), sizeof stored);  // behind the normal
+      std::array<std::array<double, 3>, 3> corners;
+      for (std::size_t k = 0; k < 3; ++k) std::copy(stored[k].begin(), stored[k].end(), corners[k].begin());
+      if (!addFacet(corners, 0, sink)) return false;
     }
   }
   return true;
@@ -51,8 +55,8 @@ bool streamBinary(const InputFile& file, std::uint64_t facets, EnvironmentPacker
 /// One statement in each line, as all programs write it.
 class AsciiStl {
  public:
-  AsciiStl(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context)
-      : lines_(path), head_(head), packer_(packer), context_(context), parts_(head.parts) {}
+  AsciiStl(const std::string& path, Environment& head, MeshSink& sink, RunContext* context)
+      : lines_(path), head_(head), sink_(sink), context_(context), parts_(head.parts) {}
 
   bool read() {
     while (nextStatement()) {
@@ -98,18 +102,18 @@ class AsciiStl {
   bool readFacet(std::uint32_t part) {
     if (words_.size() != 5 || words_[0] != "facet" || words_[1] != "normal") return false;
     if (!nextIs(2, "outer", "loop")) return false;
-    std::array<std::array<float, 3>, 3> corners;
+    std::array<std::array<double, 3>, 3> corners{};
     for (auto& corner : corners) {
       if (!nextStatement() || words_.size() != 4 || words_[0] != "vertex") return false;
       for (std::size_t axis = 0; axis < 3; ++axis)
-        if (!readAsAssimp(words_[axis + 1], corner[axis])) return false;
+        if (!readNearest(words_[axis + 1], corner[axis])) return false;
     }
-    return nextIs(1, "endloop") && nextIs(1, "endfacet") && addFacet(corners, part, packer_);
+    return nextIs(1, "endloop") && nextIs(1, "endfacet") && addFacet(corners, part, sink_);
   }
 
   LinePieces lines_;
   Environment& head_;
-  EnvironmentPacker& packer_;
+  MeshSink& sink_;
   RunContext* context_;
   PartList parts_;
   std::vector<std::string_view> words_;
@@ -118,7 +122,7 @@ class AsciiStl {
 
 }  // namespace
 
-bool streamStl(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context) {
+bool streamStl(const std::string& path, Environment& head, MeshSink& sink, RunContext* context) {
   const InputFile file(path);
   std::array<char, kHeader> start{};
   if (file.read(0, start.data(), start.size()) == start.size()) {
@@ -126,10 +130,10 @@ bool streamStl(const std::string& path, Environment& head, EnvironmentPacker& pa
     std::memcpy(&facets, start.data() + kHeader - sizeof facets, sizeof facets);
     // Assimp compares 32 bits, and misses the largest.
     const std::uint64_t size = kHeader + kFacet * std::uint64_t{facets};
-    if (facets > 0 && size == file.size() && size <= 0xffffffffU) return streamBinary(file, facets, packer, context);
+    if (facets > 0 && size == file.size() && size <= 0xffffffffU) return streamBinary(file, facets, sink, context);
   }
   if (!std::string_view(start.data(), start.size()).starts_with("solid")) return false;
-  return AsciiStl(path, head, packer, context).read();
+  return AsciiStl(path, head, sink, context).read();
 }
 
 }  // namespace footfall::detail

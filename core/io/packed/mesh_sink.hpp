@@ -1,0 +1,31 @@
+// Where the readers of core/io/packed/streams.hpp put what they read: into a packer, or into an environment in memory.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/geometry.hpp"
+#include "footfall/environment.hpp"
+
+namespace footfall::detail {
+
+class MeshSink {
+ public:
+  MeshSink() = default;
+  MeshSink(const MeshSink&) = delete;
+  MeshSink& operator=(const MeshSink&) = delete;
+  virtual ~MeshSink() = default;
+
+  /// In the file's own frame; finite.
+  virtual void addVertex(const Vec3& place) = 0;
+  [[nodiscard]] virtual std::uint64_t vertexCount() const = 0;
+  /// One that was added.
+  [[nodiscard]] virtual Vec3 vertex(std::uint32_t number) const = 0;
+  /// Corners may be vertices that come later. `part` is 0 where there are no parts.
+  virtual void addFace(const Triangle& corners, std::uint32_t part) = 0;
+
+  /// The numbers of the file are floats, or were placed by matrices.
+  bool areFloats = false;
+};
+
+}  // namespace footfall::detail
