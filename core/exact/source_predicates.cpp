@@ -131,6 +131,10 @@ int facing(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 // The cosine of the library is good to far better than 2^-46; squaring and the degrees add a few units.
+double slopeLimit(double maxSlope, double tolerance) {
+  return std::min(maxSlope + tolerance, std::nextafter(90.0, 0.0));
+}
+
 SlopeLimit::SlopeLimit(double degrees) : quarters_(quartersOfSquaredCosine(degrees)) {
   const double cosine = std::cos(degrees * (3.14159265358979323846 / 180));
   squared_ = quarters_ != 0 ? ErrorDouble(quarters_ / 4.0) : ErrorDouble(cosine * cosine, 0x1p-46);

@@ -20,6 +20,10 @@ int facing(const Vec3& a, const Vec3& b, const Vec3& c);
 /// when doubles could not decide.
 bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, bool* beyondDoubles = nullptr);
 
+/// The limit that SlopeFilter compares with, in degrees: the maximum slope and its tolerance, summed and rounded as
+/// doubles are, and below 90. It never falls when one of them grows.
+double slopeLimit(double maxSlope, double tolerance);
+
 /// The angle of isWithinSlope(), for many triangles whose normals are known already.
 class SlopeLimit {
  public:

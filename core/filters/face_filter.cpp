@@ -12,7 +12,8 @@ FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>&
   if (filter.type == FilterType::Degeneracy)
     return [kernel](Index face, ExactFallbacks&) { return kernel->mesh().degenerate[face] == 0; };
   if (filter.type != FilterType::Slope) return {};
-  return [kernel, limit = SlopeLimit(values[0]), degrees = values[0]](Index face, ExactFallbacks& count) {
+  const double steepest = slopeLimit(values[0], values[1]);
+  return [kernel, limit = SlopeLimit(steepest), degrees = steepest](Index face, ExactFallbacks& count) {
     const SourceMesh& mesh = kernel->mesh();
     if (const MaybeSign sign = limit.compare(mesh.normals[face], kernel->sign())) return *sign > 0;
     const auto& f = mesh.triangles[face];

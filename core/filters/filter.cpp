@@ -66,7 +66,8 @@ constexpr std::array kFilterFunctions = {
     FilterFunction{FilterType::Duplication,
                    [](const FilterCall& f) { return applyDuplication(f.state, f.values[0], f.context); }},
     FilterFunction{FilterType::Degeneracy, [](const FilterCall& f) { return applyDegeneracy(f.state, f.context); }},
-    FilterFunction{FilterType::Slope, [](const FilterCall& f) { return applySlope(f.state, f.values[0], f.context); }},
+    FilterFunction{FilterType::Slope,
+                   [](const FilterCall& f) { return applySlope(f.state, f.values[0], f.values[1], f.context); }},
     FilterFunction{
         FilterType::VerticalClearance,
         [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},

@@ -12,7 +12,7 @@ namespace footfall::detail {
 
 FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContext& context);
 FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
-FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context);
+FilterOutcome applySlope(const StatePtr& state, double degrees, double tolerance, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, double gap, const Recall& recall, RunContext& context);
 FilterOutcome applyRadius(const StatePtr& state, double radius, double ledges, double tolerance, const Recall& recall,

@@ -10,8 +10,8 @@
 
 namespace footfall::detail {
 
-FilterOutcome applySlope(const StatePtr& state, double degrees, RunContext& context) {
-  const FaceTest isWithin = makeFaceTest(filterDescriptor(FilterType::Slope), {degrees}, state->kernel);
+FilterOutcome applySlope(const StatePtr& state, double degrees, double tolerance, RunContext& context) {
+  const FaceTest isWithin = makeFaceTest(filterDescriptor(FilterType::Slope), {degrees, tolerance}, state->kernel);
   auto result = std::make_shared<WalkableState>(*state);
   std::atomic<std::uint64_t> fallbacks{0};
   parallelRanges(result->walkable.size(), 1024, [&](const auto& range) {

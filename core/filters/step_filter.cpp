@@ -6,6 +6,7 @@
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
+#include "core/environment/coordinate_grid.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/height_levels.hpp"
 #include "core/filters/steps/chosen_steps.hpp"
@@ -23,7 +24,7 @@ FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, 
   auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
   if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
   const SourceMesh& source = state->kernel->mesh();
-  const double height = sufficientHeight(source, step);
+  const double height = sufficientHeight(source, climbOnGrid(state->environment->grid, step));
   checkHeight(source, height,
               FOOTFALL_TEXT("a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the "
                             "scale and the largest coordinates"));

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/background_release.hpp"
+#include "core/environment/coordinate_grid.hpp"
 #include "core/tiles/tile_stage.hpp"
 #include "footfall/errors.hpp"
 
@@ -41,8 +42,10 @@ std::vector<PartRole> rolesThatMatter(const std::vector<PartRole>& roles) {
   return std::all_of(roles.begin(), roles.end(), isFloor) ? std::vector<PartRole>() : roles;
 }
 
-FloorRule ruleOf(const CellSteps& steps, const std::vector<PartRole>& roles) {
+FloorRule ruleOf(const CellSteps& steps, const std::vector<PartRole>& roles, const CoordinateGrid& grid) {
   FloorRule rule = floorRuleOf(steps);
+  if (rule.step > 0) rule.step = climbOnGrid(grid, rule.step);
+  rule.height = std::max(rule.height, rule.step);
   rule.roles = roles;
   return rule;
 }
@@ -60,7 +63,7 @@ CellRunner::CellRunner(const PackedEnvironment& environment, const CellSteps& st
       memory_(memory),
       context_(context),
       roles_(rolesThatMatter(roles)),
-      collector_(environment, ruleOf(steps, roles_)),
+      collector_(environment, ruleOf(steps, roles_, environment.head().grid)),
       fixed_(kOfProcess + kOfBlock * environment.blocks().size() + keptBetween(memory) - kKeptBlocks) {
   if (memory <= fixed_ + kOfFace + kOfFloor) failTooLittle(kMegabyte);
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/exact/source_predicates.hpp"
 #include "core/filters/clearance/chosen_clearance.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
@@ -80,6 +81,7 @@ std::shared_ptr<const Environment> environmentOf(const CellFaces& cell, const En
   environment->up = head.up;
   environment->metresPerUnit = head.metresPerUnit;
   environment->bothSides = head.bothSides;
+  environment->grid = head.grid;
   environment->obstacleOnly = cell.obstacleOnly;
   return environment;
 }
@@ -260,7 +262,8 @@ FloorRule floorRuleOf(const CellSteps& steps) {
   FloorRule rule;
   bool isJoined = false;  // later filters take triangles out of a mesh that is joined
   for (const PipelineStep& step : steps.local) {
-    if (step.filter->type == FilterType::Slope && !isJoined) rule.slopes.push_back(step.values[0]);
+    if (step.filter->type == FilterType::Slope && !isJoined)
+      rule.slopes.push_back(slopeLimit(step.values[0], step.values[1]));
     if (step.filter->type != FilterType::VerticalClearance) continue;
     isJoined = true;
     rule.height = std::max(rule.height, step.values[0]);

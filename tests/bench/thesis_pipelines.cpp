@@ -41,7 +41,7 @@ Pipeline thesisListing(const Pipeline& own, double metresPerUnit, const Pipeline
   const double weld = kWeldMetres / metresPerUnit;
   Listing listing;
   listing.add("DegeneracyFilter");
-  listing.add("SlopeFilter", {valueOf(own, "SlopeFilter")});
+  listing.add("SlopeFilter", {valueOf(own, "SlopeFilter"), 0});
   listing.add("DuplicationFilter", {weld});
   if (strategyOfParallel != nullptr) {
     listing.add(*strategyOfParallel);

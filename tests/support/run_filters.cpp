@@ -58,7 +58,7 @@ StatePtr runFilters(std::shared_ptr<const Environment> environment, const std::s
 std::string minimalPipeline(double clearance, double slope) {
   std::string text = "SlopeFilter ";
   appendNumber(text, slope);
-  text += "\nVerticalClearanceFilter ";
+  text += " 0\nVerticalClearanceFilter ";
   appendNumber(text, clearance);
   return text + "\n";
 }

@@ -17,7 +17,7 @@ StatePtr runFilters(std::shared_ptr<const Environment> environment, const std::s
 /// Continues from a state.
 StatePtr runFilters(StatePtr state, const std::string& filters);
 
-/// "SlopeFilter 45" and "VerticalClearanceFilter h".
+/// "SlopeFilter 45 0" and "VerticalClearanceFilter h".
 std::string minimalPipeline(double clearance, double slope = 45);
 
 NavigationMesh navigationMesh(const StatePtr& state);

@@ -46,7 +46,7 @@ void addArea(ViewOverlay& overlay, const Vec3& middle, const std::vector<Vec3>& 
 std::optional<MeasureKind> measureKindOf(const FilterDescriptor& filter, std::size_t parameter) {
   switch (filter.type) {
     case FilterType::Slope:
-      return MeasureKind::Angle;
+      return parameter == 0 ? std::optional(MeasureKind::Angle) : std::nullopt;
     case FilterType::VerticalClearance:
       return MeasureKind::Height;
     case FilterType::Step:

@@ -8,6 +8,7 @@
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/sorted_list.hpp"
+#include "core/environment/coordinate_grid.hpp"
 #include "core/filters/clearance/crowding.hpp"
 #include "core/filters/height_levels.hpp"
 #include "core/filters/steps/kept_links.hpp"
@@ -27,7 +28,7 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
       large_(state->walkable.size() >= kLargeRelease),
       tests_(std::move(tests)),
       result_(std::make_shared<WalkableState>(*state)) {
-  const double height = sufficientHeight(state->kernel->mesh(), given);
+  const double height = sufficientHeight(state->kernel->mesh(), clearanceOnGrid(state->environment->grid, given));
   checkHeight(state->kernel->mesh(), height,
               FOOTFALL_TEXT("a clearance of %1 is too small beside coordinates of up to %2; give at least %3, or check "
                             "the scale and the largest coordinates"));

@@ -11,23 +11,37 @@ FilterDescriptor describeSlope() {
       .aliases = {},
       .label = "Slope",
       .help =
-          "Keeps what is not too steep to walk on. The comparison is exact: a ramp of exactly the maximum slope "
-          "stays walkable. Triangles that face down are never walkable. What is removed stays an obstacle.",
+          "Keeps what is not too steep to walk on. The comparison is exact: a triangle stays walkable when its slope "
+          "is "
+          "at most the maximum plus the tolerance. Triangles that face down are never walkable. What is removed stays "
+          "an obstacle.",
       .precondition = "",
-      .effect = "Every walkable triangle faces up and is inclined by at most the maximum slope.",
+      .effect = "Every walkable triangle faces up and is inclined by at most the maximum slope and its tolerance.",
       .source = "thesis 3.2, filter 3",
       .parameters = {{
-          .name = "max_slope",
-          .label = "Maximum slope",
-          .help = "The steepest ground that an agent can walk on, measured from the horizontal.",
-          .type = ParameterType::Real,
-          .unit = Unit::Degrees,
-          .defaultValue = 45,
-          .minimum = 0,
-          .maximum = 90,
-          .minimumOpen = true,
-          .maximumOpen = true,
-      }},
+                         .name = "max_slope",
+                         .label = "Maximum slope",
+                         .help = "The steepest ground that an agent can walk on, measured from the horizontal.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Degrees,
+                         .defaultValue = 45,
+                         .minimum = 0,
+                         .maximum = 90,
+                         .minimumOpen = true,
+                         .maximumOpen = true,
+                     },
+                     {
+                         .name = "tolerance",
+                         .label = "Tolerance",
+                         .help = "How much steeper ground may be: rounding makes some ramps of exactly the maximum "
+                                 "slope a little steeper. 0: not at all.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Degrees,
+                         .defaultValue = 0.01,
+                         .minimum = 0,
+                         .maximum = 1,
+                         .optional = true,
+                     }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
   };
@@ -52,8 +66,10 @@ FilterDescriptor describeVerticalClearance() {
       .parameters = {{
           .name = "height",
           .label = "Clearance",
-          .help = "The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than "
-                  "about 1e-29 of the largest coordinate is refused.",
+          .help = "The free height that an agent needs. An obstacle at exactly this height is no obstacle; where "
+                  "coordinates "
+                  "lie on a grid, one that is lower by a step of the grid is none either. Less than about 1e-29 of the "
+                  "largest coordinate is refused.",
           .type = ParameterType::Real,
           .unit = Unit::Length,
           .defaultValue = 2,
@@ -85,28 +101,30 @@ FilterDescriptor describeStep() {
           "straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter "
           "adds to them.",
       .source = "ours",
-      .parameters = {{
-                         .name = "step",
-                         .label = "Step",
-                         .help = "How high an agent climbs at once. A step of exactly this height is climbed.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.4,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .minimumOpen = true,
-                     },
-                     {
-                         .name = "gap",
-                         .label = "Gap",
-                         .help = "How wide a gap an agent steps over, seen from above. 0: borders must coincide.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.05,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .optional = true,
-                     }},
+      .parameters =
+          {{
+               .name = "step",
+               .label = "Step",
+               .help = "How high an agent climbs at once. A step of exactly this height is climbed; where coordinates "
+                       "lie on a grid, so is one that is higher by a step of the grid.",
+               .type = ParameterType::Real,
+               .unit = Unit::Length,
+               .defaultValue = 0.4,
+               .minimum = 0,
+               .maximum = kNoLimit,
+               .minimumOpen = true,
+           },
+           {
+               .name = "gap",
+               .label = "Gap",
+               .help = "How wide a gap an agent steps over, seen from above. 0: borders must coincide.",
+               .type = ParameterType::Real,
+               .unit = Unit::Length,
+               .defaultValue = 0.05,
+               .minimum = 0,
+               .maximum = kNoLimit,
+               .optional = true,
+           }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
   };

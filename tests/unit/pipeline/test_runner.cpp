@@ -118,7 +118,7 @@ void TestRunner::statisticsOfEachStep() {
   const RunResult result = runPipeline(floorWithBoard(), pipelineOf(kFourSteps), context, nullptr, 2);
   QCOMPARE(result.steps.size(), std::size_t{4});
   QCOMPARE(result.steps[1].name, std::string("SlopeFilter"));
-  QCOMPARE(result.steps[1].parameters, std::vector<double>{45});
+  QCOMPARE(result.steps[1].parameters, (std::vector<double>{45, 0.01}));
   QCOMPARE(result.steps[0].in.triangles, std::uint64_t{4});
   for (std::size_t i = 0; i < result.steps.size(); ++i) {
     QVERIFY(result.steps[i].wallMs >= 0 && result.steps[i].cpuMs >= 0);
