@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <string>
 
 #include "core/base/number_text.hpp"
@@ -15,9 +16,14 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kSame = 1e-6;      // heights that differ by less of them are the same but for roundings
-constexpr double kNear = 0.05;      // a step that misses risers by less of it was meant to climb them
-constexpr std::size_t kFewest = 6;  // triangles: three risers are stairs
+constexpr double kSame = 1e-6;        // heights that differ by less of them are the same but for roundings
+constexpr double kNear = 0.05;        // a step that misses risers by less of it was meant to climb them
+constexpr double kFewestAgents = 10;  // heights of agents in the longest side of a level
+constexpr double kLargest = 20000;    // metres
+constexpr double kNearSlope = 0.05;   // degrees beyond the limit that roundings can make of a slope
+constexpr double kSameSlope = 1e-12;  // of angles that are computed in doubles
+constexpr double kMuch = 0.01;        // of all that faces up
+constexpr std::size_t kFewest = 6;    // triangles: three risers are stairs
 
 struct Risers {
   double lowest = 0, highest = 0;
@@ -64,11 +70,51 @@ Text stepText(const LevelMeasures& level, double step, double clearance) {
       Text::count((risers.triangles + 1) / 2), littleMore(risers.highest)};
 }
 
-Text heightText(const LevelMeasures& level, double height) {
+/// The nearest power of ten times the level's scale by which its longest side is as many metres as levels have.
+double plausibleScale(const LevelMeasures& level, double longest, double least, double most) {
+  double scale = level.metresPerUnit;
+  while (scale * longest < least) scale *= 10;
+  while (scale * longest > most) scale /= 10;
+  return scale;
+}
+
+/// A level that no agent of this height fits into as people and levels fit together.
+Text sizeText(const LevelMeasures& level, double height) {
   const double longest = std::max({level.size.x, level.size.y, level.size.z});
-  if (height > longest && longest > 0)
-    return {FOOTFALL_TEXT("agents are %1 high, and the whole level is no larger than %2; check the scale"),
-            shortNumber(height), shortNumber(longest)};
+  const double metres = level.metresPerUnit * longest, agent = level.metresPerUnit * height;
+  if (!(longest > 0) || !std::isfinite(metres) || !std::isfinite(agent)) return {};
+  if (metres < kFewestAgents * agent)
+    return {
+        FOOTFALL_TEXT("the whole level is no larger than %1 m, less than ten times an agent's height of %2 m; if its "
+                      "unit is larger, give the metres of a unit, perhaps %3"),
+        shortNumber(metres), shortNumber(agent),
+        shortNumber(plausibleScale(level, longest, kFewestAgents * agent, kLargest))};
+  if (metres > kLargest)
+    return {FOOTFALL_TEXT("the level is %1 m large; if its unit is smaller, give the metres of a unit, perhaps %2"),
+            shortNumber(metres), shortNumber(plausibleScale(level, longest, 0, kLargest))};
+  return {};
+}
+
+Text slopeText(const LevelMeasures& level, double steepest, double tolerance) {
+  const double limit = steepest + tolerance;
+  const auto isUpTo = [](double slope, const LevelMeasures::Ramp& ramp) { return slope < ramp.slope; };
+  double area = 0, slope = 0;
+  // Rounded slopes of what is kept may lie a little above the limit.
+  for (auto ramp = std::upper_bound(level.ramps.begin(), level.ramps.end(), limit + kSameSlope, isUpTo);
+       ramp != level.ramps.end() && ramp->slope <= limit + kNearSlope; ++ramp) {
+    area += ramp->area;
+    slope = ramp->slope;
+  }
+  if (area == 0 || area < kMuch * level.upwardArea) return {};
+  const double over = slope - steepest, unit = std::pow(10, std::floor(std::log10(over)));
+  const double more = std::ceil(over / unit + kSameSlope) * unit;
+  return {FOOTFALL_TEXT(
+              "%1 square metres of ramps are steeper than %2 degrees by less than %3 degrees, and are not walkable; "
+              "for a tolerance of %3 give SlopeFilter %2 %3"),
+          shortNumber(area * level.metresPerUnit * level.metresPerUnit), shortNumber(steepest), shortNumber(more)};
+}
+
+Text heightText(const LevelMeasures& level, double height) {
   double highest = 0;
   for (const Doorway& doorway : level.doorways) highest = std::max(highest, doorway.height);
   if (level.doorways.empty() || height <= highest) return {};
@@ -92,6 +138,16 @@ Text radiusText(const LevelMeasures& level, double radius, double height) {
           shortNumber(2 * radius), shortNumber(widest), shortNumber(widest / 2)};
 }
 
+void addRamp(const std::array<Vec3, 3>& p, bool bothSides, LevelMeasures& measures) {
+  const double ux = p[1].x - p[0].x, uy = p[1].y - p[0].y, uz = p[1].z - p[0].z;
+  const double vx = p[2].x - p[0].x, vy = p[2].y - p[0].y, vz = p[2].z - p[0].z;
+  const double nx = uy * vz - uz * vy, ny = uz * vx - ux * vz, nz = ux * vy - uy * vx;
+  if (nz == 0 || (nz < 0 && !bothSides)) return;
+  const double steep = std::hypot(nx, ny), area = std::hypot(steep, nz) / 2;
+  measures.upwardArea += area;
+  if (steep > 0) measures.ramps.push_back({std::atan2(steep, std::abs(nz)) * 180 / std::numbers::pi, area});
+}
+
 }  // namespace
 
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
@@ -113,9 +169,11 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
       isLevel = isLevel || a.z == b.z;
     }
     const auto [least, most] = std::minmax({p[0].z, p[1].z, p[2].z});
+    addRamp(p, environment.bothSides, measures);
     if (isLevel && most > least && isUpright(p)) measures.wallHeights.push_back(most - least);
   }
   poll();
+  std::ranges::sort(measures.ramps, {}, &LevelMeasures::Ramp::slope);
   std::ranges::sort(measures.wallHeights);
   measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
   measures.doorways = findDoorways(environment, poll);
@@ -141,9 +199,14 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled || step.values.empty()) continue;
     const double value = step.values[0];
-    if (step.filter->type == FilterType::VerticalClearance) {
+    if (step.filter->type == FilterType::Slope) {
+      if (Text text = slopeText(level, value, step.values[1]); !text.empty()) notes.push_back({i, std::move(text)});
+    } else if (step.filter->type == FilterType::VerticalClearance) {
       clearance = value;
-      if (Text text = heightText(level, value); !text.empty()) notes.push_back({i, std::move(text)});
+      const bool isScaleKnown = notes.empty() || notes.front().step;  // else there is a note on the scale already
+      Text text = isScaleKnown ? sizeText(level, value) : Text();
+      if (text.empty()) text = heightText(level, value);
+      if (!text.empty()) notes.push_back({i, std::move(text)});
     } else if (step.filter->type == FilterType::Radius) {
       const double height = std::isfinite(clearance) ? clearance : 0;
       if (Text text = radiusText(level, value, height); !text.empty()) notes.push_back({i, std::move(text)});

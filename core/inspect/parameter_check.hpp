@@ -20,6 +20,13 @@ struct LevelMeasures {
   std::vector<Doorway> doorways;    ///< findDoorways()
   double metresPerUnit = 1;
   bool scaleGuessed = false;
+  /// A triangle that faces up and is not level.
+  struct Ramp {
+    double slope = 0;  ///< degrees
+    double area = 0;
+  };
+  std::vector<Ramp> ramps;  ///< ascending by slope
+  double upwardArea = 0;    ///< of all triangles that face up
 };
 
 /// Measures an environment, rounded, in time proportional to its triangles.
@@ -35,6 +42,10 @@ struct ParameterNote {
 /// walls
 ///   among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;
 /// - agents that are taller than the level is in any direction, or than each of its doorways;
+/// - much ground that is steeper than the maximum slope and its tolerance by less than a twentieth of a degree: a
+///   hundredth of all that faces up;
+/// - a level whose longest side is less than ten times the agents' height, or more than 20 km, with a scale by which it
+///   would not be;
 /// - a radius that no doorway under which the agents fit is wide enough for, or not even the level;
 /// - and a guessed scale that makes the level larger than levels are, or smaller.
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline);

@@ -45,12 +45,30 @@ std::shared_ptr<Environment> rooms(const std::vector<std::array<double, 2>>& doo
   return soup.environment();
 }
 
-QString notesOf(const Environment& level, const std::string& pipeline) {
+QStringList allNotesOf(const Environment& level, const std::string& pipeline) {
   QStringList lines;
   for (const ParameterNote& note : checkParameters(measureLevel(level), parsePipeline(pipeline, "test")))
     lines << (note.step ? QString::number(*note.step) : QStringLiteral("scale")) + ": " +
                  QString::fromStdString(note.text.str());
+  return lines;
+}
+
+/// Without the note on the level's size, because most levels here are smaller than levels are.
+QString notesOf(const Environment& level, const std::string& pipeline) {
+  QStringList lines = allNotesOf(level, pipeline);
+  lines.removeIf([](const QString& line) { return line.contains("the whole level is no larger than"); });
   return lines.join('\n');
+}
+
+/// A ramp that is 100 long and 20 wide, and rises by `rise` in each of them, beside a floor of the same size.
+std::shared_ptr<Environment> ramp(double rise) {
+  auto level = Soup().floor(0, 0, 100, 20, 0).environment();
+  const auto first = static_cast<std::uint32_t>(level->vertices.size());
+  for (const Vec3& p : {Vec3{0, 20, 0}, Vec3{100, 20, 100 * rise}, Vec3{100, 40, 100 * rise}, Vec3{0, 40, 0}})
+    level->vertices.push_back(p);
+  level->triangles.push_back({first, first + 1, first + 2});
+  level->triangles.push_back({first, first + 2, first + 3});
+  return level;
 }
 
 QString stepNoteOf(const Environment& level, const std::string& step) {
@@ -100,12 +118,38 @@ class TestParameterCheck : public QObject {
     QCOMPARE(notesOf(*stairs(9, 0.25), "VerticalClearanceFilter 2\n#off StepFilter 0.245\n"), QString());
   }
 
-  void agentsLargerThanTheLevel() {
-    const Soup room = Soup().floor(0, 0, 30, 20, 0).wall(0, 0, 30, 0, 0, 10);
-    QCOMPARE(notesOf(*room.environment(), "VerticalClearanceFilter 40\n"),
-             QString("0: agents are 40 high, and the whole level is no larger than 30; check the scale"));
-    QCOMPARE(notesOf(*room.environment(), "VerticalClearanceFilter 30\n"), QString());
-    QCOMPARE(notesOf(*room.environment(), "#off VerticalClearanceFilter 40\n"), QString());
+  void levelsWhoseSizeMakesNoSense() {
+    const auto level = Soup().floor(0, 0, 30, 20, 0).wall(0, 0, 30, 0, 0, 10).environment();
+    const auto notes = [&](const char* text) { return allNotesOf(*level, text).join('\n'); };
+    QCOMPARE(
+        notes("VerticalClearanceFilter 3.25\n"),
+        QString("0: the whole level is no larger than 30 m, less than ten times an agent's height of 3.25 m; if its "
+                "unit is larger, give the metres of a unit, perhaps 10"));
+    QCOMPARE(notes("VerticalClearanceFilter 3\n"), QString());
+    QCOMPARE(notes("#off VerticalClearanceFilter 40\n"), QString());
+    level->metresPerUnit = 0.01;
+    QCOMPARE(notes("VerticalClearanceFilter 200\n"),
+             QString("0: the whole level is no larger than 0.3 m, less than ten times an agent's height of 2 m; if its "
+                     "unit is larger, give the metres of a unit, perhaps 1"));
+    level->metresPerUnit = 1000;
+    level->scaleGuessed = false;
+    QCOMPARE(notes("VerticalClearanceFilter 0.002\n"),
+             QString("0: the level is 30000 m large; if its unit is smaller, give the metres of a unit, perhaps 100"));
+  }
+
+  void groundJustBeyondTheSlope() {
+    const double tan45 = 1;
+    QCOMPARE(notesOf(*ramp(tan45), "SlopeFilter 45 0\n"), QString());
+    const auto steeper = ramp(1 + 1e-5);  // by 0.0003 degrees
+    QCOMPARE(notesOf(*steeper, "SlopeFilter 45\n"), QString());
+    QCOMPARE(
+        notesOf(*steeper, "SlopeFilter 45 0\n"),
+        QString("0: 2828.44 square metres of ramps are steeper than 45 degrees by less than 0.0003 degrees, and are "
+                "not walkable; for a tolerance of 0.0003 give SlopeFilter 45 0.0003"));
+    QCOMPARE(area(navigationMesh(runFilters(steeper, "SlopeFilter 45 0\n"))), 2000.0);
+    QVERIFY(area(navigationMesh(runFilters(steeper, "SlopeFilter 45 0.0003\n"))) > 4828);
+    QVERIFY(area(navigationMesh(runFilters(steeper, "SlopeFilter 45\n"))) > 4828);
+    QCOMPARE(notesOf(*ramp(1.01), "SlopeFilter 45 0\n"), QString());  // that is another slope
   }
 
   void doorwaysAreFound() {
