@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_options.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "footfall/errors.hpp"
@@ -20,6 +21,12 @@ void EnvironmentOptions::addFileTo(CLI::App& command) {
       ->type_name("METRES");
   command.add_flag("--both-sides", bothSides,
                    "Take both sides of every triangle as its upper side, for files with unreliable winding");
+  command
+      .add_option(
+          "--grid", grid,
+          "Round coordinates to a grid: auto (files of floats, such as glTF and FBX), on, off, or a step in units "
+          "of the file; auto when left out")
+      ->type_name("auto|on|off|STEP");
 }
 
 void EnvironmentOptions::addTo(CLI::App& command) {
@@ -40,7 +47,19 @@ void EnvironmentOptions::addTo(CLI::App& command) {
 ImportOptions EnvironmentOptions::import() const {
   if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0))
     throw InputError("--scale: must be the metres in one unit of the file; give a number above 0");
-  return {upAxisFrom(up), metresPerUnit, bothSides};
+  ImportOptions options{upAxisFrom(up), metresPerUnit, bothSides};
+  if (grid == "on") {
+    options.grid = GridChoice::On;
+  } else if (grid == "off") {
+    options.grid = GridChoice::Off;
+  } else if (!grid.empty() && grid != "auto") {
+    options.grid = GridChoice::Step;
+    const auto [end, error] = std::from_chars(grid.data(), grid.data() + grid.size(), options.gridStep);
+    if (error != std::errc() || end != grid.data() + grid.size() || !(std::isfinite(options.gridStep)) ||
+        !(options.gridStep > 0))
+      throw InputError("--grid: '" + grid + "' is no choice; give auto, on, off or a step above 0, such as 0.001");
+  }
+  return options;
 }
 
 std::vector<PartRule> EnvironmentOptions::rules(const Environment& environment) const {

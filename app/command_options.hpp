@@ -21,12 +21,13 @@ struct EnvironmentOptions {
   std::string up;  ///< a name of nameOf(UpAxis), or empty
   std::optional<double> metresPerUnit;
   bool bothSides = false;
+  std::string grid;                                         ///< auto, on, off, or a step; empty: auto
   std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);
   /// Adds the file's options, without those that leave parts out.
   void addFileTo(CLI::App& command);
-  /// Throws InputError for a scale that is none.
+  /// Throws InputError for a scale or a step of the grid that is none.
   [[nodiscard]] ImportOptions import() const;
   /// The rules for parts of that environment. Throws InputError for names of none.
   [[nodiscard]] std::vector<detail::PartRule> rules(const Environment& environment) const;

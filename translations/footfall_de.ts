@@ -1068,8 +1068,32 @@
         <translation>der Maßstab ist eine Annahme, nach der das Level %1 m lang ist; geben Sie die Meter je Einheit an, vielleicht %2</translation>
     </message>
     <message>
-        <source>agents are %1 high, and the whole level is no larger than %2; check the scale</source>
-        <translation>Agenten sind %1 hoch, und das ganze Level ist nicht größer als %2; prüfen Sie den Maßstab</translation>
+        <source>the whole level is no larger than %1 m, less than ten times an agent&apos;s height of %2 m; if its unit is larger, give the metres of a unit, perhaps %3</source>
+        <translation>das ganze Level ist nicht größer als %1 m, weniger als das Zehnfache der Größe eines Agenten von %2 m; wenn seine Einheit größer ist, geben Sie die Meter je Einheit an, vielleicht %3</translation>
+    </message>
+    <message>
+        <source>the level is %1 m large; if its unit is smaller, give the metres of a unit, perhaps %2</source>
+        <translation>das Level ist %1 m groß; wenn seine Einheit kleiner ist, geben Sie die Meter je Einheit an, vielleicht %2</translation>
+    </message>
+    <message>
+        <source>%1 square metres of ramps are steeper than %2 degrees by less than %3 degrees, and are not walkable; for a tolerance of %3 give SlopeFilter %2 %3</source>
+        <translation>%1 Quadratmeter Rampen sind um weniger als %3 Grad steiler als %2 Grad und nicht begehbar; für eine Toleranz von %3 geben Sie SlopeFilter %2 %3 an</translation>
+    </message>
+    <message>
+        <source>grid: the step must be a positive number; give for example 0.001</source>
+        <translation>Raster: Der Schritt muss eine positive Zahl sein; geben Sie zum Beispiel 0.001 an</translation>
+    </message>
+    <message>
+        <source>the coordinates</source>
+        <translation>die Koordinaten</translation>
+    </message>
+    <message>
+        <source>import: grid is &apos;%1&apos;; give auto, on, off or a step</source>
+        <translation>Import: grid ist „%1“; geben Sie auto, on, off oder einen Schritt an</translation>
+    </message>
+    <message>
+        <source>import: a step of the grid is not above 0; give for example 0.001</source>
+        <translation>Import: Ein Schritt des Rasters ist nicht größer als 0; geben Sie zum Beispiel 0.001 an</translation>
     </message>
     <message>
         <source>%1, %2 too low</source>
@@ -1795,12 +1819,12 @@
         <translation>Neigung</translation>
     </message>
     <message>
-        <source>Keeps what is not too steep to walk on. The comparison is exact: a ramp of exactly the maximum slope stays walkable. Triangles that face down are never walkable. What is removed stays an obstacle.</source>
-        <translation>Behält, was zum Gehen nicht zu steil ist. Der Vergleich ist exakt: Eine Rampe mit genau der größten Neigung bleibt begehbar. Dreiecke, die nach unten zeigen, sind nie begehbar. Was entfernt wird, bleibt ein Hindernis.</translation>
+        <source>Keeps what is not too steep to walk on. The comparison is exact: a triangle stays walkable when its slope is at most the maximum plus the tolerance. Triangles that face down are never walkable. What is removed stays an obstacle.</source>
+        <translation>Behält, was zum Gehen nicht zu steil ist. Der Vergleich ist exakt: Ein Dreieck bleibt begehbar, wenn seine Neigung höchstens die größte Neigung und die Toleranz ist. Dreiecke, die nach unten zeigen, sind nie begehbar. Was entfernt wird, bleibt ein Hindernis.</translation>
     </message>
     <message>
-        <source>Every walkable triangle faces up and is inclined by at most the maximum slope.</source>
-        <translation>Jedes begehbare Dreieck zeigt nach oben und ist höchstens um die größte Neigung geneigt.</translation>
+        <source>Every walkable triangle faces up and is inclined by at most the maximum slope and its tolerance.</source>
+        <translation>Jedes begehbare Dreieck zeigt nach oben und ist höchstens um die größte Neigung und ihre Toleranz geneigt.</translation>
     </message>
     <message>
         <source>Maximum slope</source>
@@ -1809,6 +1833,10 @@
     <message>
         <source>The steepest ground that an agent can walk on, measured from the horizontal.</source>
         <translation>Der steilste Boden, auf dem ein Agent gehen kann, gegen die Waagerechte gemessen.</translation>
+    </message>
+    <message>
+        <source>How much steeper ground may be: rounding makes some ramps of exactly the maximum slope a little steeper. 0: not at all.</source>
+        <translation>Wie viel steiler der Boden sein darf: Durch Rundung werden manche Rampen mit genau der größten Neigung ein wenig steiler. 0: gar nicht.</translation>
     </message>
     <message>
         <source>Vertical clearance</source>
@@ -2027,8 +2055,8 @@
         <translation>Wieder eine Umgebung, ohne eine Spur der Zellen.</translation>
     </message>
     <message>
-        <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle. Less than about 1e-29 of the largest coordinate is refused.</source>
-        <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines. Weniger als etwa 1e-29 der größten Koordinate wird abgelehnt.</translation>
+        <source>The free height that an agent needs. An obstacle at exactly this height is no obstacle; where coordinates lie on a grid, one that is lower by a step of the grid is none either. Less than about 1e-29 of the largest coordinate is refused.</source>
+        <translation>Die freie Höhe, die ein Agent braucht. Ein Hindernis in genau dieser Höhe ist keines; wo Koordinaten auf einem Raster liegen, ist auch eines keines, das um einen Schritt des Rasters tiefer liegt. Weniger als etwa 1e-29 der größten Koordinate wird abgelehnt.</translation>
     </message>
     <message>
         <source>Steps</source>
@@ -2039,8 +2067,8 @@
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>How high an agent climbs at once. A step of exactly this height is climbed.</source>
-        <translation>Wie hoch ein Agent auf einmal steigt. Eine Stufe von genau dieser Höhe wird gestiegen.</translation>
+        <source>How high an agent climbs at once. A step of exactly this height is climbed; where coordinates lie on a grid, so is one that is higher by a step of the grid.</source>
+        <translation>Wie hoch ein Agent auf einmal steigt. Eine Stufe von genau dieser Höhe wird erstiegen; wo Koordinaten auf einem Raster liegen, auch eine, die um einen Schritt des Rasters höher ist.</translation>
     </message>
     <message>
         <source>thesis 3.2, filter 2</source>
@@ -5019,6 +5047,38 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>Metres per unit</source>
         <translation>Meter je Einheit</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>Ein</translation>
+    </message>
+    <message>
+        <source>Off</source>
+        <translation>Aus</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>Grid of %1, moved by at most %2</source>
+        <translation>Raster von %1, um höchstens %2 verschoben</translation>
+    </message>
+    <message>
+        <source>%1 vertices welded</source>
+        <translation>%1 Eckpunkte verschweißt</translation>
+    </message>
+    <message>
+        <source>Rounds coordinates to a fine grid. Automatic: for files that store floats, such as glTF and FBX; what should lie in one plane then does.</source>
+        <translation>Rundet Koordinaten auf ein feines Raster. Automatisch: bei Dateien mit Gleitkommazahlen einfacher Genauigkeit, wie glTF und FBX; was in einer Ebene liegen soll, liegt dann in ihr.</translation>
     </message>
     <message>
         <source>triangles</source>

@@ -41,6 +41,20 @@ std::optional<UpAxis> upAxisOf(footfall_up_axis up) {
   throw InputError(Pattern{"there is no up axis %1"}, static_cast<int>(up));
 }
 
+GridChoice gridChoiceOf(footfall_grid grid) {
+  switch (grid) {
+    case FOOTFALL_GRID_AUTO:
+      return GridChoice::Auto;
+    case FOOTFALL_GRID_ON:
+      return GridChoice::On;
+    case FOOTFALL_GRID_OFF:
+      return GridChoice::Off;
+    case FOOTFALL_GRID_STEP:
+      return GridChoice::Step;
+  }
+  throw InputError(Pattern{"there is no grid %1"}, static_cast<int>(grid));
+}
+
 }  // namespace footfall::c
 
 using namespace footfall;
@@ -56,6 +70,8 @@ footfall_status footfall_load(const char* path, const footfall_import_options* o
       import.up = upAxisOf(options->up);
       if (options->metres_per_unit != 0) import.metresPerUnit = options->metres_per_unit;
       import.bothSides = options->both_sides != 0;
+      import.grid = gridChoiceOf(options->grid);
+      import.gridStep = options->grid_step;
     }
     *environment =
         new footfall_environment{std::make_shared<const Environment>(load(path, import, contextOf(context)))};

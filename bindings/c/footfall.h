@@ -120,10 +120,19 @@ typedef enum footfall_up_axis {
   FOOTFALL_UP_NEGATIVE_Z = 6
 } footfall_up_axis;
 
+typedef enum footfall_grid {
+  FOOTFALL_GRID_AUTO = 0, /* files of floats, such as glTF */
+  FOOTFALL_GRID_ON = 1,   /* all files */
+  FOOTFALL_GRID_OFF = 2,
+  FOOTFALL_GRID_STEP = 3 /* all files, with a step of your own */
+} footfall_grid;
+
 typedef struct footfall_import_options {
   footfall_up_axis up;
   double metres_per_unit; /* 0: guessed */
   int both_sides;         /* not 0: both sides of every triangle are its upper side */
+  footfall_grid grid;     /* which coordinates are rounded to a grid (docs/coordinates.md) */
+  double grid_step;       /* of FOOTFALL_GRID_STEP, in units of the file */
 } footfall_import_options;
 
 /* Reads OBJ at double precision, and glTF, FBX, DAE, PLY, STL and others at single precision. `options` (NULL: all

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "arrays.hpp"
@@ -28,9 +29,27 @@ namespace {
 
 using SharedEnvironment = std::shared_ptr<const Environment>;
 
+/// "auto", "on", "off" or a step.
+void setGrid(const std::variant<double, std::string>& grid, ImportOptions& options) {
+  if (const double* step = std::get_if<double>(&grid)) {
+    options.grid = GridChoice::Step;
+    options.gridStep = *step;
+    return;
+  }
+  const std::string& name = std::get<std::string>(grid);
+  if (name == "on")
+    options.grid = GridChoice::On;
+  else if (name == "off")
+    options.grid = GridChoice::Off;
+  else if (name != "auto")
+    throw InputError("grid: '" + name + "' is no choice; give 'auto', 'on', 'off' or a step");
+}
+
 SharedEnvironment loadFile(const std::filesystem::path& path, const std::optional<std::string>& up,
-                           std::optional<double> metresPerUnit, bool bothSides) {
-  const ImportOptions options{upAxisFrom(up), metresPerUnit, bothSides};
+                           std::optional<double> metresPerUnit, bool bothSides,
+                           const std::variant<double, std::string>& grid) {
+  ImportOptions options{upAxisFrom(up), metresPerUnit, bothSides};
+  setGrid(grid, options);
   return interruptible(py::none(), [&](RunContext& context) {
     return std::make_shared<const Environment>(load(path.string(), options, &context));
   });
@@ -145,6 +164,9 @@ numbers of vertices that do not exist.)",
       .def_property_readonly(
           "both_sides", [](const Environment& e) { return e.bothSides; },
           "Whether both sides of each triangle are its front.")
+      .def_property_readonly(
+          "grid_step", [](const Environment& e) { return e.grid.step; },
+          "The step of the grid on which all coordinates lie, in units of the file; 0 where there is no grid.")
       .def_property_readonly("parts", &partsOf, "(mesh, material) names of the file's parts; empty where it has none.")
       .def_property_readonly(
           "part_of",
@@ -202,17 +224,20 @@ Parts of a file are found by `part_of`, as in level.with_roles(ignored=level.par
   define(
       module, "load",
       [](const std::filesystem::path& path, const std::optional<std::string>& up, std::optional<double> metresPerUnit,
-         bool bothSides) { return held(loadFile(path, up, metresPerUnit, bothSides)); },
+         bool bothSides, const std::variant<double, std::string>& grid) {
+        return held(loadFile(path, up, metresPerUnit, bothSides, grid));
+      },
       R"(Read an environment from a file (OBJ at double precision; glTF, PLY, STL, COLLADA, IFC and what else Assimp
 reads: `importable_extensions()`) and return an `Environment`.
 
 up: the file's up axis ("z", "y", "x", "-z", "-y", "-x"); None: as the format has it.
 metres_per_unit: None: as the format has it.
 both_sides: take both sides of each triangle as its front.
+grid: round coordinates to a grid: "auto" (files of floats, such as glTF), "on", "off", or a step in units of the file.
 
 Raises InputError, also for a file that is missing.)",
       py::arg("path"), py::kw_only(), py::arg("up") = py::none(), py::arg("metres_per_unit") = py::none(),
-      py::arg("both_sides") = false);
+      py::arg("both_sides") = false, py::arg("grid") = "auto");
   define(module, "importable_extensions", &importableExtensions,
          "Return the file name extensions that `load` reads: a list of str, lower case, without the dot.");
 

@@ -10,7 +10,8 @@
 
 namespace footfall::ui {
 bool sameImport(const ImportOptions& a, const ImportOptions& b) {
-  return a.up == b.up && a.metresPerUnit == b.metresPerUnit && a.bothSides == b.bothSides;
+  return a.up == b.up && a.metresPerUnit == b.metresPerUnit && a.bothSides == b.bothSides && a.grid == b.grid &&
+         a.gridStep == b.gridStep;
 }
 
 bool operator==(const DocumentState& a, const DocumentState& b) {

@@ -43,6 +43,12 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   scaleError_ = new WrappedLabel(this);
   scaleError_->setObjectName(QStringLiteral("rowError"));
   scaleError_->hide();
+  grid_ = new QComboBox(this);
+  grid_->setObjectName(QStringLiteral("grid"));
+  for (const QString& choice : {tr("Automatic"), tr("On"), tr("Off")}) grid_->addItem(choice);
+  grid_->setToolTip(
+      tr("Rounds coordinates to a fine grid. Automatic: for files that store floats, such as glTF and FBX; what should "
+         "lie in one plane then does."));
   bothSides_ = new QCheckBox(tr("Both sides count as up"), this);
   bothSides_->setObjectName(QStringLiteral("bothSides"));
   bothSides_->setToolTip(
@@ -61,6 +67,7 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   form->setVerticalSpacing(4);
   form->addRow(tr("Up axis"), up_);
   form->addRow(tr("Metres per unit"), scaleRow);
+  form->addRow(tr("Grid"), grid_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);
   layout->setSpacing(4);
@@ -82,6 +89,10 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   connect(scale_, &NumberField::problemChanged, this, [this] {
     scaleError_->setText(scale_->problem());
     scaleError_->setVisible(!scale_->problem().isEmpty());
+  });
+  connect(grid_, &QComboBox::activated, this, [this](int index) {
+    options_.grid = static_cast<GridChoice>(index);
+    emit optionsEdited(options_);
   });
   connect(bothSides_, &QCheckBox::clicked, this, [this](bool on) {
     options_.bothSides = on;
@@ -128,6 +139,11 @@ void ImportPanel::setOptions(const ImportOptions& options) {
   options_ = options;
   const auto place = options.up ? std::ranges::find(kUpAxes, *options.up) - kUpAxes.begin() + 1 : 0;
   up_->setCurrentIndex(static_cast<int>(place));
+  // A step is given on the command line; it is listed while it is the choice.
+  const int steps = static_cast<int>(GridChoice::Step);
+  while (grid_->count() > steps) grid_->removeItem(steps);
+  if (options.grid == GridChoice::Step) grid_->addItem(tr("Step %1").arg(numberText(options.gridStep)));
+  grid_->setCurrentIndex(static_cast<int>(options.grid));
   bothSides_->setChecked(options.bothSides);
   showGuesses();
 }
@@ -139,8 +155,8 @@ void ImportPanel::setPart(std::uint64_t triangles, std::uint64_t ofAll) {
 
 void ImportPanel::setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven) {
   loaded_ = environment != nullptr;
-  for (QWidget* widget :
-       {static_cast<QWidget*>(up_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(bothSides_)}) {
+  for (QWidget* widget : {static_cast<QWidget*>(up_), static_cast<QWidget*>(scale_), static_cast<QWidget*>(grid_),
+                          static_cast<QWidget*>(bothSides_)}) {
     widget->setEnabled(loaded_);
   }
   if (environment) {
@@ -159,6 +175,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     if (!left.isEmpty()) lines << tr("Skipped: %1").arg(left.join(QStringLiteral(", ")));
     for (const Text& note : environment->notes) lines << coreText(note);
     notes_ = lines.join(QLatin1Char('\n'));
+    showGrid(*environment);
     showFigures();
     // What was given instead of guessed is no guess to fall back to.
     if (!upGiven) {
@@ -181,6 +198,16 @@ void ImportPanel::showGuesses() {
                       : scaleGuessed_                    ? tr("(guessed)")
                                                          : tr("(says the file)"));
   showQuestion();
+}
+
+void ImportPanel::showGrid(const Environment& environment) {
+  const CoordinateGrid& grid = environment.grid;
+  gridText_ =
+      grid.step == 0
+          ? QString()
+          : tr("Grid of %1, moved by at most %2").arg(shortText(grid.step, 3), shortText(grid.largestMovement, 2));
+  if (grid.weldedVertices > 0)
+    gridText_ += QStringLiteral("; ") + tr("%1 vertices welded").arg(countText(grid.weldedVertices));
 }
 
 void ImportPanel::showQuestion() {
@@ -211,6 +238,7 @@ void ImportPanel::showFigures() {
       counts_ + QLatin1Char('\n') +
       tr("%1 × %2 × %3 %4 (%5)")
           .arg(shortText(shown[0], 4), shortText(shown[1], 4), shortText(shown[2], 4), units_.name(), units_.upText());
+  if (!gridText_.isEmpty()) figures += QLatin1Char('\n') + gridText_;
   if (!notes_.isEmpty()) figures += QLatin1Char('\n') + notes_;
   figures_->setText(figures);
 }

@@ -34,6 +34,7 @@ class ImportPanel : public QWidget {
   [[nodiscard]] QPushButton* yesButton() const { return yes_; }
   [[nodiscard]] QPushButton* noButton() const { return no_; }
   [[nodiscard]] QString questionText() const { return question_->text(); }
+  [[nodiscard]] QComboBox* gridBox() const { return grid_; }
   [[nodiscard]] QCheckBox* bothSidesBox() const { return bothSides_; }
   /// Whether the file is read again when another program saves it. Remembered by the caller.
   [[nodiscard]] QCheckBox* watchBox() const { return watch_; }
@@ -48,6 +49,7 @@ class ImportPanel : public QWidget {
   QWidget* makeQuestion();
   void setScale(double metresPerUnit);
   void showGuesses();
+  void showGrid(const Environment& environment);
   void showFigures();
   void showQuestion();
 
@@ -57,14 +59,14 @@ class ImportPanel : public QWidget {
   double fileScale_ = 1;      ///< holds while the user gives none
   bool scaleGuessed_ = true;  ///< and is not the file's own word
   bool loaded_ = false;
-  QString counts_, notes_;
+  QString counts_, notes_, gridText_;
   Vec3 size_;
   LevelUnits units_;
   QLabel *name_, *figures_, *scaleNote_, *scaleError_;
   QWidget* questionRow_;
   QLabel* question_;
   QPushButton *yes_, *no_;
-  QComboBox* up_;
+  QComboBox *up_, *grid_;
   NumberField* scale_;
   QCheckBox *bothSides_, *watch_;
 };

@@ -4,6 +4,8 @@
 #include <QFile>
 #include <utility>
 
+#include "core/environment/coordinate_grid.hpp"
+
 namespace footfall::ui {
 
 LevelFile::LevelFile(QObject* parent) : QObject(parent) {
@@ -52,13 +54,17 @@ void LevelFile::start(Reading reading, const QString& path, const ImportOptions&
                       const std::optional<Vec3>& centre, const std::optional<PartPlace>& place) {
   reading_ = reading;
   path_ = path;
-  loader_.load(path, options, centre, place, loaded_.part);
+  ImportOptions kept = options;
+  if (reading != Reading::Another) kept.keptGridStep = loaded_.environment->grid.step;
+  loader_.load(path, kept, centre, place, loaded_.part);
 }
 
 void LevelFile::setOptions(const ImportOptions& options) {
   if (!loaded_.environment || reading_ == Reading::Another) return;
-  const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides;
   const std::optional<double> scale = options.metresPerUnit ? options.metresPerUnit : fileScale_;
+  const bool sameGrid = options.grid == loaded_.options.grid && options.gridStep == loaded_.options.gridStep &&
+                        (!scale || !detail::gridDependsOnScale(*loaded_.environment, *scale));
+  const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides && sameGrid;
   if (!sameMesh || !scale || busy()) {
     // Turned to another axis, a place of the plan is nowhere.
     start(Reading::OtherOptions, path(), options, {}, options.up == loaded_.options.up ? place() : std::nullopt);

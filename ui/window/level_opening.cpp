@@ -99,6 +99,11 @@ bool LevelOpening::readSessionInto(Opening& opening, const std::optional<KeptSes
   if (!opening.import.up) opening.import.up = session.import.up;
   if (!opening.import.metresPerUnit) opening.import.metresPerUnit = session.import.metresPerUnit;
   opening.import.bothSides = session.import.bothSides;
+  if (opening.import.grid == GridChoice::Auto) {
+    opening.import.grid = session.import.grid;
+    opening.import.gridStep = session.import.gridStep;
+    opening.import.keptGridStep = session.import.keptGridStep;
+  }
   opening.camera = session.camera;
   opening.session = path;
   opening.cells = session.cells;

@@ -246,6 +246,34 @@ std::string relativeTo(const std::string& environment, const std::string& sessio
   return relative.empty() || ups > 1 ? target.string() : relative.generic_string();
 }
 
+constexpr std::array<std::string_view, 3> kGridChoices{"auto", "on", "off"};
+
+/// "auto", "on", "off" or a step; and the step that the level had.
+void readGrid(const Json& import, ImportOptions& options) {
+  const Json grid = import.value("grid", Json("auto"));
+  if (grid.is_number()) {
+    options.grid = GridChoice::Step;
+    options.gridStep = grid.get<double>();
+  } else {
+    const auto choice = std::ranges::find(kGridChoices, grid.get<std::string>());
+    if (choice == kGridChoices.end())
+      throw InputError(FOOTFALL_TEXT("import: grid is '%1'; give auto, on, off or a step"), grid.get<std::string>());
+    options.grid = static_cast<GridChoice>(choice - kGridChoices.begin());
+  }
+  options.keptGridStep = import.value("grid_step", 0.0);
+  for (const double step : {options.gridStep, options.keptGridStep})
+    if (!(std::isfinite(step) && step >= 0))
+      throw InputError(FOOTFALL_TEXT("import: a step of the grid is not above 0; give for example 0.001"));
+}
+
+void writeGrid(const ImportOptions& options, Json& import) {
+  if (options.grid == GridChoice::Step)
+    import["grid"] = options.gridStep;
+  else if (options.grid != GridChoice::Auto)
+    import["grid"] = kGridChoices[static_cast<std::size_t>(options.grid)];
+  if (options.keptGridStep > 0) import["grid_step"] = options.keptGridStep;
+}
+
 Session sessionFrom(const Json& json, const std::string& path) {
   if (!json.is_object() || !json.contains(kMark))
     throw InputError(FOOTFALL_TEXT("is not a session; open a file that Footfall saved"));
@@ -269,6 +297,7 @@ Session sessionFrom(const Json& json, const std::string& path) {
     session.import.metresPerUnit = scale;
   }
   session.import.bothSides = import.value("both_sides", false);
+  readGrid(import, session.import);
   for (const Json& step : json.at("pipeline")) session.pipeline.steps.push_back(stepFrom(step));
   if (json.contains("view")) session.camera = cameraFrom(json.at("view"));
   if (json.contains("cells")) session.cells = cellsFrom(json.at("cells"));
@@ -288,6 +317,7 @@ std::string formatSession(const Session& session, const std::string& path) {
   if (session.import.up) import["up"] = nameOf(*session.import.up);
   if (session.import.metresPerUnit) import["metres_per_unit"] = *session.import.metresPerUnit;
   import["both_sides"] = session.import.bothSides;
+  writeGrid(session.import, import);
   json["import"] = import;
   json["pipeline"] = Json::array();
   for (const PipelineStep& step : session.pipeline.steps) json["pipeline"].push_back(toJson(step));

@@ -38,6 +38,7 @@ Session SessionFiles::current() const {
   Session session;
   if (uses_.level.environment()) session.environment = uses_.level.environment()->source;
   session.import = state.import;
+  if (uses_.level.environment()) session.import.keptGridStep = uses_.level.environment()->grid.step;
   session.pipeline = uses_.document.pipeline();
   if (uses_.level.environment()) session.camera = uses_.view.cameraController().pose();
   session.cells = uses_.cells.shown();
