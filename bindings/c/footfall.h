@@ -131,7 +131,7 @@ typedef struct footfall_import_options {
   footfall_up_axis up;
   double metres_per_unit; /* 0: guessed */
   int both_sides;         /* not 0: both sides of every triangle are its upper side */
-  footfall_grid grid;     /* which coordinates are rounded to a grid (docs/coordinates.md) */
+  footfall_grid grid;     /* which coordinates are rounded to a grid (docs/explanation/coordinates.md) */
   double grid_step;       /* of FOOTFALL_GRID_STEP, in units of the file */
 } footfall_import_options;
 

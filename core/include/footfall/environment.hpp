@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-/// Which coordinates import() rounds to a grid, and to which (docs/coordinates.md).
+/// Which coordinates import() rounds to a grid, and to which (docs/explanation/coordinates.md).
 enum class GridChoice : std::uint8_t {
   Auto,  ///< files of floats and of placed meshes (glTF, FBX, DAE, 3DS, binary STL, PLY in floats), to the usual step
   On,    ///< all files, to the usual step
@@ -121,7 +121,7 @@ struct Environment {
   std::shared_ptr<const EnvironmentEdit> edit;
   std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
   std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
-  CoordinateGrid grid;          ///< limits of filters include its step (docs/coordinates.md)
+  CoordinateGrid grid;          ///< limits of filters include its step (docs/explanation/coordinates.md)
 
   [[nodiscard]] SourceFrame frame() const { return {origin.empty() ? source : origin, up, metresPerUnit, storeys}; }
 };
