@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environment/coordinate_grid.hpp"
 
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <bit>
 #include <cstddef>
 #include <limits>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/environment/edge_splitting.hpp"
 #include "core/exact/source_predicates.hpp"
 
@@ -157,7 +156,7 @@ void putOnGrid(Environment& environment, double step, const Poll& poll) {
   places.reserve(environment.vertices.size());
   for (const Vec3& p : environment.vertices) places.push_back(gridPlace(p, step));
   poll();
-  tbb::parallel_sort(places.begin(), places.end());
+  parallelSort(places.begin(), places.end());
   poll();
   places.erase(std::unique(places.begin(), places.end()), places.end());
   GridWelder welder;

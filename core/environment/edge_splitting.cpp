@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environment/edge_splitting.hpp"
 
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +10,8 @@
 #include <vector>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/parallel.hpp"
+#include "core/base/parallel_sort.hpp"
 #include "core/environment/coordinate_grid.hpp"
 
 namespace footfall::detail {
@@ -56,7 +55,7 @@ class NearPlaces {
 
   NearPlaces(const std::vector<GridPlace>& places, std::vector<Edge> edges, const Poll& poll)
       : places_(places), edges_(std::move(edges)) {
-    tbb::parallel_sort(edges_.begin(), edges_.end());
+    parallelSort(edges_.begin(), edges_.end());
     edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
     beside_.resize(edges_.size());
     std::vector<Index> ids(places.size());
@@ -69,7 +68,7 @@ class NearPlaces {
       if (low != places.end()) extent_ = std::max(extent_, static_cast<double>((*high)[k] - (*low)[k]));
     }
     constexpr std::size_t kPerTask = 256;
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, edges_.size(), kPerTask), [&](const auto& range) {
+    parallelRanges(edges_.size(), kPerTask, [&](const auto& range) {
       poll();
       for (std::size_t e = range.begin(); e != range.end(); ++e) beside_[e] = find(edges_[e]);
     });
@@ -165,7 +164,7 @@ std::uint64_t splitAtNearVertices(Environment& environment, double step, const P
   std::vector<GridPlace> places;
   places.reserve(environment.vertices.size());
   for (const Vec3& p : environment.vertices) places.push_back(gridPlace(p, step));
-  tbb::parallel_sort(places.begin(), places.end());
+  parallelSort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   poll();
   std::vector<Index> placeOf;
