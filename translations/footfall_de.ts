@@ -1392,11 +1392,11 @@
         <translation>%1; schmal und niedrig genug, aber StepFilter verbindet es nicht</translation>
     </message>
     <message>
-        <source>nothing is walkable, so there is no plan; see why</source>
-        <translation>nichts ist begehbar, also gibt es keinen Plan; siehe Warum</translation>
+        <source>nothing is walkable, so there is no plan; change the filters, or look up the reason for a place with Why</source>
+        <translation>nichts ist begehbar, also gibt es keinen Plan; ändern Sie die Filter, oder lassen Sie sich mit Warum den Grund für eine Stelle zeigen</translation>
     </message>
     <message>
-        <source>%1: no name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson</source>
+        <source>%1: not the name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson</source>
         <translation>%1: kein Name für einen Grundriss; einen angeben, der auf .svg, .pdf, .wkt oder .geojson endet</translation>
     </message>
     <message>
@@ -1496,12 +1496,12 @@
         <translation>eine Zeichnung im Maßstab, eine Datei für jede Seite: begehbare Fläche, Wände, Stufen, Sprünge nach unten, Türen, Flächeninhalte</translation>
     </message>
     <message>
-        <source>what programs could go on with; letters beyond Western Europe&apos;s</source>
-        <translation>womit Programme weiterrechnen könnten; Buchstaben außerhalb Westeuropas</translation>
+        <source>data for other programs; letters beyond Western Europe&apos;s</source>
+        <translation>Daten für andere Programme; Buchstaben außerhalb Westeuropas</translation>
     </message>
     <message>
-        <source>what programs could go on with: heights, what is connected</source>
-        <translation>womit Programme weiterrechnen könnten: Höhen, was verbunden ist</translation>
+        <source>data for other programs: heights, connectivity</source>
+        <translation>Daten für andere Programme: Höhen, Verbindungen</translation>
     </message>
     <message>
         <source>this program was built without libharu and cannot write .pdf; install libhpdf-dev and build it again, or draw the plan as .svg</source>

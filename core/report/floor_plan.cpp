@@ -213,7 +213,9 @@ std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double a
 
 std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline& pipeline, const NavigationMesh& mesh,
                                  const PlanOptions& options, Poll poll) {
-  if (mesh.triangles.empty()) throw InputError(FOOTFALL_TEXT("nothing is walkable, so there is no plan; see why"));
+  if (mesh.triangles.empty())
+    throw InputError(FOOTFALL_TEXT(
+        "nothing is walkable, so there is no plan; change the filters, or look up the reason for a place with Why"));
   const double metres = environment.metresPerUnit;
   const double height = agentHeight(pipeline, metres), step = agentStep(pipeline);
   const double margin = kWallMargin / metres + largestRadius(pipeline);
@@ -256,8 +258,8 @@ PlanFormat planFormatOf(const std::string& path) {
   if (ending == ".pdf") return PlanFormat::Pdf;
   if (ending == ".wkt") return PlanFormat::Wkt;
   if (ending == ".geojson") return PlanFormat::GeoJson;
-  throw InputError(FOOTFALL_TEXT("%1: no name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson"),
-                   path);
+  throw InputError(
+      FOOTFALL_TEXT("%1: not the name of a floor plan; give one that ends in .svg, .pdf, .wkt or .geojson"), path);
 }
 
 Pattern planKeeps(PlanFormat format) {
@@ -269,8 +271,8 @@ Pattern planKeeps(PlanFormat format) {
 }
 
 Pattern planLoses(PlanFormat format) {
-  return format == PlanFormat::Pdf ? FOOTFALL_TEXT("what programs could go on with; letters beyond Western Europe's")
-                                   : FOOTFALL_TEXT("what programs could go on with: heights, what is connected");
+  return format == PlanFormat::Pdf ? FOOTFALL_TEXT("data for other programs; letters beyond Western Europe's")
+                                   : FOOTFALL_TEXT("data for other programs: heights, connectivity");
 }
 
 std::vector<OutputFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,
