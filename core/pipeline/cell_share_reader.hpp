@@ -1,4 +1,4 @@
-// True when bytes are the share of a cell: each floor in it is one that the cell has.
+// Reads the share of a cell from bytes, and checks that each floor in it is one that the cell has.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

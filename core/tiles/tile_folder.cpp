@@ -56,7 +56,7 @@ bool isOfCell(const std::string& name) {
 
 bool isBeside(const std::string& name) { return name.starts_with(kBeside); }
 
-// The message about the visible content of the folder.
+// Removes the files of the folder that `isGone` selects, as far as the folder can be listed.
 template <class IsGone>
 void removeFiles(const std::string& folder, const IsGone& isGone) {
   std::error_code error;
