@@ -149,7 +149,12 @@ class Benchmark {
         writeEnvironment(same.path, *loadSubject(subject));
         return Json::object();
       });
-      if (written.contains("fails")) return Json::array();
+      if (written.contains("fails")) {
+        Json failed = Json::array();
+        for (const int threads : options_.threads)
+          failed.push_back({{"fails", written["fails"]}, {"threads", threads}});
+        return failed;
+      }
     }
     Json entries = Json::array();
     for (std::size_t i = 0; i < options_.threads.size(); ++i) {

@@ -121,9 +121,11 @@ Json measureCancelling(const Subject& subject, int threads, int moments) {
   loadAndRun(subject, threads, uninterrupted);
   const double wholeMs = whole.wallMs();
 
+  // On a busy machine the thread that cancels may come too late each time.
+  constexpr int kAttempts = 5;
   std::vector<Latency> latencies;
-  for (int i = 0; i < moments; ++i)
-    if (auto latency = cancelAfter(subject, threads, wholeMs * (i + 0.5) / moments))
+  for (int i = 0; i < moments || (latencies.empty() && i < moments * kAttempts); ++i)
+    if (auto latency = cancelAfter(subject, threads, wholeMs * (i % moments + 0.5) / moments))
       latencies.push_back(std::move(*latency));
   Json json{{"threads", threads},
             {"triangles", triangles},

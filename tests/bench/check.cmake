@@ -75,6 +75,18 @@ foreach(part "### Targets" "### Beside others, 2 threads" "| house | 820 |" "###
   endif()
 endforeach()
 
+# A measurement that fails makes the program fail, after everything else was measured.
+execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --no-embree --no-recast --threads 1 --runs 1000 --seconds 1000
+                        --timeout 1 --json "${SCRATCH}/late.json" --markdown "${SCRATCH}/late.md"
+                RESULT_VARIABLE code ERROR_VARIABLE error)
+if(NOT code EQUAL 1 OR NOT error MATCHES "not measured: environments, house, footfall, 0: takes more than 1 s")
+  message(FATAL_ERROR "a measurement that takes too long gives ${code}: ${error}")
+endif()
+file(READ "${SCRATCH}/late.md" markdown)
+if(NOT markdown MATCHES "takes more than 1 s")
+  message(FATAL_ERROR "the tables do not have the failure: ${markdown}")
+endif()
+
 # Who can reach whom is no matter of time: the same on every machine.
 execute_process(COMMAND "${PROGRAM}" --reach "${HOUSE}:2" --json "${SCRATCH}/reach.json" --markdown
                         "${SCRATCH}/reach.md" RESULT_VARIABLE code)

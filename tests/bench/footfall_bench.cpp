@@ -16,7 +16,8 @@ using namespace footfall;
 using namespace footfall::detail;
 using namespace footfall::bench;
 
-void runProgramWith(int argc, char** argv) {
+/// The exit code: 1 when something could not be measured.
+int runProgramWith(int argc, char** argv) {
   CLI::App app(
       "Measures Footfall on environments, in one run beside Recast's voxels, the time that reading the file and "
       "Embree's tree take, and a prototype. Each measurement happens in a process of its own.",
@@ -75,8 +76,7 @@ void runProgramWith(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    app.exit(success);  // --help
-    return;
+    return app.exit(success);  // --help
   }
 
   std::ranges::sort(options.threads);
@@ -96,14 +96,14 @@ void runProgramWith(int argc, char** argv) {
   } else {
     writeFileSafely(markdown, formatReport(results));
   }
+  return reportFailures("footfall-bench", results);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    runProgramWith(argc, argv);
-    return 0;
+    return runProgramWith(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::cerr << "footfall-bench: " << error.what() << "; --help tells what can be given\n";
     return 2;

@@ -97,7 +97,33 @@ Ended runChild(const std::function<void(int)>& inChild, const Limits& limits) {
   return ended;
 }
 
+void addFailures(const Json& value, const std::string& place, std::vector<std::string>& failures) {
+  if (!value.is_structured()) return;
+  if (value.is_object() && value.contains("fails"))
+    failures.push_back(place + ": " + (value["fails"].is_string() ? value["fails"].get<std::string>() : value.dump()));
+  for (const auto& [key, inner] : value.items()) {
+    if (key == "recast") continue;
+    std::string name = key;
+    for (const char* field : {"name", "series"})
+      if (inner.is_object() && inner.contains(field) && inner[field].is_string()) name = inner[field];
+    addFailures(inner, place.empty() ? name : place + ", " + name, failures);
+  }
+}
+
 }  // namespace
+
+std::vector<std::string> failuresIn(const Json& results) {
+  std::vector<std::string> failures;
+  addFailures(results, "", failures);
+  return failures;
+}
+
+int reportFailures(const std::string& program, const Json& results) {
+  const std::vector<std::string> failures = failuresIn(results);
+  for (const std::string& failure : failures)
+    std::fprintf(stderr, "%s: not measured: %s\n", program.c_str(), failure.c_str());
+  return failures.empty() ? 0 : 1;
+}
 
 Json runIsolated(const std::function<Json()>& work, const Limits& limits) {
   const Ended ended = runChild(

@@ -25,6 +25,13 @@ Json runIsolated(const std::function<Json()>& work, const Limits& limits = {});
 /// Runs a program with its standard output read; returns {"output": text, "peak_bytes": n}, or {"fails": "why"}.
 Json runProgram(const std::vector<std::string>& command, const Limits& limits = {});
 
+/// The measurements in `results` that have {"fails": "why"} in the place of their figures, a line each: the name of the
+/// environment, the keys that lead there, and the reason. Those of Recast are left out: its failures are findings.
+std::vector<std::string> failuresIn(const Json& results);
+
+/// Writes these lines to standard error after the name of the program. Returns the exit code: 1 when there are any.
+int reportFailures(const std::string& program, const Json& results);
+
 /// The memory of this process in bytes: what it holds now, and the most it ever held.
 struct ResidentMemory {
   std::uint64_t now = 0, peak = 0;

@@ -3,7 +3,8 @@
 # docs/reference/measurements.md between their markers. Options go to footfall-bench (--runs 3 --seconds 2: quick and rough).
 # Environments from outside come from the folder $FOOTFALL_SHARED (../shared unless set); its prototype/ is built when it
 # is there. The editor is measured where it was built and a display is or xvfb-run can make one. Takes some minutes; a
-# machine that does something else meanwhile spoils the figures.
+# machine that does something else meanwhile spoils the figures. When a measurement fails, the script fails and that part
+# of the document stays as it was; the failures of Recast are findings and are written.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"

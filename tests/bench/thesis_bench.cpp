@@ -49,7 +49,8 @@ void chooseThreads(std::vector<int> threads, ThesisOptions& options) {
   }
 }
 
-void runProgramWith(int argc, char** argv) {
+/// The exit code: 1 when something could not be measured.
+int runProgramWith(int argc, char** argv) {
   CLI::App app(
       "Runs the experiments of the thesis (5.4 to 5.6): times by partitioning strategy and depth, scaling over "
       "threads, "
@@ -106,8 +107,7 @@ void runProgramWith(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {
-    app.exit(success);  // --help
-    return;
+    return app.exit(success);  // --help
   }
 
   chooseExperiments(only, options);
@@ -126,14 +126,14 @@ void runProgramWith(int argc, char** argv) {
   } else {
     writeFileSafely(markdown, formatThesisReport(results));
   }
+  return reportFailures("footfall-thesis-bench", results);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    runProgramWith(argc, argv);
-    return 0;
+    return runProgramWith(argc, argv);
   } catch (const CLI::ParseError& error) {
     std::cerr << "footfall-thesis-bench: " << error.what() << "; --help tells what can be given\n";
     return 2;
