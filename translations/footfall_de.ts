@@ -1080,6 +1080,10 @@
         <translation>%1 Quadratmeter Rampen sind um weniger als %3 Grad steiler als %2 Grad und nicht begehbar; für eine Toleranz von %3 geben Sie SlopeFilter %2 %3 an</translation>
     </message>
     <message>
+        <source>an area of %1 is steeper than the limit by less than 0.05 degrees</source>
+        <translation>eine Fläche von %1 ist um weniger als 0,05 Grad steiler als die Grenze</translation>
+    </message>
+    <message>
         <source>grid: the step must be a positive number; give for example 0.001</source>
         <translation>Raster: Der Schritt muss eine positive Zahl sein; geben Sie zum Beispiel 0.001 an</translation>
     </message>

@@ -51,6 +51,15 @@ class Files(unittest.TestCase):
             "--no-obstacle-edges", "--no-steps", "--no-drops", "--export-up", "y", "--export-scale", "2", ending=".obj")
         self.assertEqual(target.read_bytes(), expected)
 
+    def test_coordinates_on_a_grid(self):
+        sample = next(s for s in SAMPLES if s.name == "rooms.obj")
+        self.assertEqual(footfall.load(sample).grid_step, 0.0)
+        self.assertGreater(footfall.load(sample, grid="on").grid_step, 0.0)
+        self.assertEqual(footfall.load(sample, grid=0.3).grid_step, 0.25)
+        self.assertEqual(footfall.load(sample, grid="off").grid_step, 0.0)
+        with self.assertRaisesRegex(footfall.InputError, "coarse"):
+            footfall.load(sample, grid="coarse")
+
     def test_formats_give_the_bytes_of_the_program(self):
         sample = next(s for s in SAMPLES if s.name == "house.obj")
         area = footfall.run(footfall.load(sample))

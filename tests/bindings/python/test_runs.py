@@ -16,7 +16,7 @@ class Pipelines(unittest.TestCase):
         self.assertEqual(text, steps)
         self.assertEqual(hash(text), hash(steps))
         self.assertEqual(len(steps), 4)
-        self.assertEqual(steps[0], ("SlopeFilter", 40.0))
+        self.assertEqual(steps[0], ("SlopeFilter", 40.0, 0.01))
         self.assertEqual(steps[-1], ("Collapse",))
         self.assertEqual([step[0] for step in steps],
                          ["SlopeFilter", "VerticalClearanceFilter", "AutoStrategy", "Collapse"])
@@ -98,7 +98,7 @@ class Pipelines(unittest.TestCase):
         vertices, triangles = scenes.floor()
         feet = footfall.Environment(vertices, triangles, metres_per_unit=0.5)
         steps = dict((step[0], step[1:]) for step in feet.pipeline_for(slope=30, height=1.5, minimum_area=2))
-        self.assertEqual(steps["SlopeFilter"], (30.0,))
+        self.assertEqual(steps["SlopeFilter"], (30.0, 0.01))
         self.assertEqual(steps["VerticalClearanceFilter"], (3.0,))
         self.assertEqual(steps["AreaFilter"], (8.0,))
         self.assertEqual(steps["StepFilter"], (0.8, 0.1))
@@ -112,7 +112,7 @@ class Pipelines(unittest.TestCase):
 
     def test_filters_are_described(self):
         slope = {f.name: f for f in footfall.filters()}["SlopeFilter"]
-        self.assertEqual([p.name for p in slope.parameters], ["max_slope"])
+        self.assertEqual([p.name for p in slope.parameters], ["max_slope", "tolerance"])
         self.assertEqual((slope.parameters[0].unit, slope.parameters[0].default), ("degrees", 45.0))
         self.assertTrue(slope.is_local)
         self.assertEqual(slope.kind, "filter")

@@ -317,6 +317,24 @@ class TestDocument : public QObject {
     QCOMPARE(formatSession(back, path), text);
   }
 
+  void sessionsKeepTheGrid() {
+    const QTemporaryDir folder;
+    const std::string path = folder.filePath("a.footfall").toStdString();
+    for (const GridChoice choice : {GridChoice::Auto, GridChoice::On, GridChoice::Off, GridChoice::Step}) {
+      Session session;
+      session.import.grid = choice;
+      session.import.gridStep = choice == GridChoice::Step ? 0.003 : 0;
+      session.import.keptGridStep = 0x1p-21;
+      writeFile(folder, "a.footfall", QByteArray::fromStdString(formatSession(session, path)));
+      const Session back = readSession(path);
+      QVERIFY(sameImport(back.import, session.import));
+      QCOMPARE(back.import.keptGridStep, 0x1p-21);
+    }
+    const QByteArray wrong("{\"footfall_session\": 1, \"import\": {\"grid\": \"fine\"}, \"pipeline\": []}");
+    const std::string bad = writeFile(folder, "bad.footfall", wrong).toStdString();
+    QVERIFY_EXCEPTION_THROWN(readSession(bad), InputError);
+  }
+
   void sessionsKeepEveryUpAxis() {
     const QTemporaryDir folder;
     for (const UpAxis up : kUpAxes) {

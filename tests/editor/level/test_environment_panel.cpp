@@ -215,6 +215,18 @@ class TestEnvironmentPanel : public QObject {
     QTRY_COMPARE(window_->view().environmentGeometry()->surface.size(), std::size_t{6});
   }
 
+  void coordinatesArePutOnAGrid() {
+    QCOMPARE(window_->environment()->grid.step, 0.0);
+    QComboBox& grid = *window_->importPanel().gridBox();
+    grid.setCurrentIndex(1);
+    emit grid.activated(1);
+    QTRY_VERIFY(window_->environment()->grid.step > 0);
+    QVERIFY(waitUntilIdle(*window_));
+    window_->document().undoStack()->undo();
+    QTRY_COMPARE(window_->environment()->grid.step, 0.0);
+    QCOMPARE(grid.currentIndex(), 0);
+  }
+
   void tenThousandParts() {
     const QString crates = writeFile(*folder_, "crates.obj", cratesObj(10000));
     QVERIFY(openZUp(*window_, crates, kPipeline));
