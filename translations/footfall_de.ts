@@ -2087,8 +2087,8 @@
         <translation>Dissertation 3.2, Filter 3</translation>
     </message>
     <message>
-        <source>thesis 3.2, filter 4; obstacle edges: 4.4.2, algorithm 3</source>
-        <translation>Dissertation 3.2, Filter 4; Hinderniskanten: 4.4.2, Algorithmus 3</translation>
+        <source>thesis 3.2, filter 4; obstacle edges of walls: ours</source>
+        <translation>Dissertation 3.2, Filter 4; Hinderniskanten von Wänden: eigenes Verfahren</translation>
     </message>
     <message>
         <source>ours</source>
@@ -2135,16 +2135,16 @@
         <translation>Dissertation 3.2, Filter 5</translation>
     </message>
     <message>
-        <source>thesis 3.2, filter 6; approximate form: 5.1.2</source>
-        <translation>Dissertation 3.2, Filter 6; näherungsweise Form: 5.1.2</translation>
+        <source>thesis 3.2, filter 6; approximate form: 5.1.2, tolerance: listing of 5.4</source>
+        <translation>Dissertation 3.2, Filter 6; näherungsweise Form: 5.1.2, Toleranz: Listing in 5.4</translation>
     </message>
     <message>
         <source>thesis 3.2, filter 7; Hillebrand et al. 2016</source>
         <translation>Dissertation 3.2, Filter 7; Hillebrand et al. 2016</translation>
     </message>
     <message>
-        <source>thesis 4.4.2, cases 1 to 5</source>
-        <translation>Dissertation 4.4.2, Fälle 1 bis 5</translation>
+        <source>thesis 5.1.1; 4.4.2, cases 1 to 5</source>
+        <translation>Dissertation 5.1.1; 4.4.2, Fälle 1 bis 5</translation>
     </message>
     <message>
         <source>thesis 4.3.1</source>
@@ -2159,12 +2159,12 @@
         <translation>Dissertation 4.3.3</translation>
     </message>
     <message>
-        <source>ours; thesis 6.1, first item of future work</source>
-        <translation>eigenes Verfahren; Dissertation 6.1, erster Punkt des Ausblicks</translation>
+        <source>ours; thesis 6.1, first proposal</source>
+        <translation>eigenes Verfahren; Dissertation 6.1, erster Vorschlag</translation>
     </message>
     <message>
-        <source>thesis 4.1, 5.1.1</source>
-        <translation>Dissertation 4.1, 5.1.1</translation>
+        <source>thesis 4.1, 5.4</source>
+        <translation>Dissertation 4.1, 5.4</translation>
     </message>
     <message>
         <source>Links borders of the walkable area that lie over each other in the plan, or beside each other with a gap between them, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls without thickness, slits. The area stays as it is; for the filters that follow, what is linked is one region.</source>

@@ -1,5 +1,6 @@
-// The environment between two filters as bytes, in the three formats of the thesis (4.2, 5.3): rounded numbers as text,
-// rounded numbers as they lie in memory, and exactly.
+// The environment between two filters as bytes, in three formats. Two are those of the thesis (4.2.1, 4.2.2): rounded
+// numbers as text, and as they lie in memory. The third, provenance, is ours: it is exact as the expression trees of
+// 4.2.3 are, which have no use here because no coordinate is an expression.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,5 +1,5 @@
 // The exchange of shares between ranks: processes that run the same pipeline over the same environment, of which rank 0
-// goes on behind the last block (thesis 4.1.1, Algorithm 4).
+// goes on behind the last block (thesis 4.1.1; algorithm 4 in 5.7).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

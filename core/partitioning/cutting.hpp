@@ -22,7 +22,8 @@ struct CutTriangle {
 
 /// Exactly, the pieces of a triangle tile it, none is degenerate, and no vertex lies inside a side of a piece of the
 /// same triangle or of one that shares the source edge. Cells are half-open: what lies on a border alone belongs to the
-/// upper cell. Cuts between heights divide no triangle; its lowest corner decides.
+/// upper cell, which is the positive side of algorithm 1. Cuts between heights divide no triangle; its lowest corner
+/// decides.
 struct CutEnvironment {
   std::vector<CutVertex> vertices;     ///< those of the mesh under their own numbers, then cut points
   std::vector<Vec3> places;            ///< places of the vertices, rounded to the nearest doubles

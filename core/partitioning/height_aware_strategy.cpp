@@ -1,5 +1,5 @@
 // HeightAwareStrategy: a tree of cuts through the floors alone, across x, y or between heights, by estimated work
-// (ours; thesis 6.1, first item of future work).
+// (ours; thesis 6.1, first proposal).
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <algorithm>

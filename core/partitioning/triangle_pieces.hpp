@@ -23,8 +23,10 @@ class TrianglePieces {
   [[nodiscard]] std::size_t size() const { return whole_.size() + parts_.size(); }
   /// The largest coordinates of the pieces, in any order.
   [[nodiscard]] std::vector<double> ends(int axis) const;
-  /// Divides the pieces at a border; none are left here. As in the thesis, what lies on the border and nowhere above it
-  /// is below.
+  /// Divides the pieces at a border; none are left here. A piece that lies on the border and nowhere above it is below:
+  /// 4.3.3 places the border at the largest coordinate of the middle triangle, so that this triangle is on the negative
+  /// side, and so does the text on flags in 4.3.1. Algorithm 1 flags such a piece as positive. Cells differ from this
+  /// count, as they are half-open (cutting.hpp); only the balance depends on it, never a result.
   [[nodiscard]] std::array<TrianglePieces, 2> split(int axis, double coordinate, const StrategyInput& input);
 
   using Point = std::array<double, 2>;

@@ -1,5 +1,5 @@
-// The cells of a parallel block at work: as tasks, largest first, with idle threads helping where work is left (thesis
-// 4.1 and 4.3.4).
+// The cells of a parallel block at work: as tasks, largest first, with idle threads helping where work is left. The
+// thread pool is that of thesis 4.1; its 4.3.4 (longest processing time) is about nodes, see load_balancing.hpp.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -62,7 +62,7 @@ FilterDescriptor describeVerticalClearance() {
       .effect =
           "No walkable point has a point of another triangle straight above it and nearer than the clearance; "
           "no place is walkable twice.",
-      .source = "thesis 3.2, filter 4; obstacle edges: 4.4.2, algorithm 3",
+      .source = "thesis 3.2, filter 4; obstacle edges of walls: ours",
       .parameters = {{
           .name = "height",
           .label = "Clearance",

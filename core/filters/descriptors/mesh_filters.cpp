@@ -65,7 +65,7 @@ FilterDescriptor describeSimplification() {
       .effect =
           "Other triangles, the same walkable area. In the approximate form vertices may move, by a stated bound "
           "at most.",
-      .source = "thesis 3.2, filter 6; approximate form: 5.1.2",
+      .source = "thesis 3.2, filter 6; approximate form: 5.1.2, tolerance: listing of 5.4",
       .parameters = {{
                          .name = "approximate",
                          .label = "Approximate",
@@ -126,7 +126,7 @@ FilterDescriptor describeRounding() {
           "triangles that lose their area or turn over. Tells how many of each case it met.",
       .precondition = "",
       .effect = "Every vertex has double coordinates and no walkable triangle is degenerate or turned over.",
-      .source = "thesis 4.4.2, cases 1 to 5",
+      .source = "thesis 5.1.1; 4.4.2, cases 1 to 5",
       .parameters = {{
           .name = "repair",
           .label = "Repair",
