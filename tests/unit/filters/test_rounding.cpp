@@ -142,6 +142,48 @@ class TestRounding : public QObject {
     QVERIFY(hasObstacle(mesh, {2, 0, 0}, {4, 0, 0}));
   }
 
+  // Definitions 4.8 to 4.10: all, not all, and some but not all coordinates of a vertex are doubles. The edges of the
+  // obstacle cross the floor's border y = -4 at x = 1/3 and x = 7/3.
+  void partiallyRepresentableVerticesKeepTheirDoubles() {
+    const auto environment =
+        environmentOf({{-4, -4, 0}, {4, -4, 0}, {0, 4, 0}, {0, -5, 1}, {3, -5, 1}, {1, -2, 1}}, {{0, 1, 2}, {3, 4, 5}});
+    RunContext context;
+    const StatePtr state = apply("VerticalClearanceFilter", {2}, makeInitialState(environment, context), context);
+    std::vector<char> exact;
+    const std::vector<Vec3> places = roundVertices(*state->kernel, state->mesh->vertices, exact, context);
+    int partly = 0, whole = 0;
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      if (places[v].z != 0) continue;  // the obstacle is walkable too
+      if (exact[v] != 0) {             // 4.8
+        ++whole;
+        continue;
+      }
+      ++partly;  // 4.9 by x, and 4.10 by y and z, which must not move
+      QCOMPARE(places[v].y, -4.0);
+      QVERIFY(places[v].x == 1.0 / 3 || places[v].x == 7.0 / 3);
+    }
+    QCOMPARE(partly, 2);
+    QCOMPARE(whole, 4);  // three corners, and the obstacle's at (1, -2)
+  }
+
+  // Definition 4.9 by all three coordinates: two edges of obstacles cross at x = y = 1/3 over a floor with z = x.
+  void verticesWithoutAnyDoubleRoundToTheNearest() {
+    const auto environment = environmentOf(
+        {{-4, -4, -4}, {4, -4, 4}, {0, 4, 0}, {0, 0, 5}, {1, 1, 5}, {0, 1, 5}, {0, 1, 5}, {1, -1, 5}, {1, 1, 5}},
+        {{0, 1, 2}, {3, 4, 5}, {7, 8, 6}});
+    RunContext context;
+    const StatePtr state = apply("VerticalClearanceFilter", {20}, makeInitialState(environment, context), context);
+    std::vector<char> exact;
+    const std::vector<Vec3> places = roundVertices(*state->kernel, state->mesh->vertices, exact, context);
+    int found = 0;
+    for (std::size_t v = 0; v < places.size(); ++v)
+      if (places[v] == Vec3{1.0 / 3, 1.0 / 3, 1.0 / 3}) {
+        ++found;
+        QVERIFY(exact[v] == 0);
+      }
+    QVERIFY(found > 0);
+  }
+
   void closedSliversBecomeObstacleEdges() {
     // A wall that leans by one unit in the last place over its height of 8: within a clearance of 1 it removes a sliver
     // that no double can show.
