@@ -1,12 +1,41 @@
 #!/usr/bin/env bash
-# measure.sh [ROUNDS]: the thesis's table of 5.7 with our samples, as Markdown: footfall with as many threads as there are
-# ranks, and footfall-mpi with ranks of one thread each; the least of ROUNDS (3). Environment as check.sh.
+# measure.sh [--threads N] [--ranks "N ..."] [ROUNDS]: the thesis's table of 5.7 with our samples, as Markdown: footfall-mpi
+# with ranks of N threads each (1), and footfall with as many threads as all ranks together; the least of ROUNDS (3). The
+# thesis has nodes of 8 threads: --threads 8 --ranks "2 4". Environment as check.sh.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
+usage() {
+  echo "measure.sh: $1; usage: measure.sh [--threads N] [--ranks \"N ...\"] [ROUNDS]" >&2
+  exit 2
+}
+isCount() { [[ "$1" =~ ^[1-9][0-9]{0,3}$ ]]; }
+
+threads=1
+counts=(1 2 4)
+rounds=3
+while [ "$#" -gt 0 ]; do
+  case "$1" in
+    --threads)
+      isCount "${2:-}" || usage "--threads takes a number of threads for each rank"
+      threads="$2"
+      shift 2
+      ;;
+    --ranks)
+      read -ra counts <<<"${2:-}"
+      [ "${#counts[@]}" -gt 0 ] || usage "--ranks takes numbers of ranks"
+      for count in "${counts[@]}"; do isCount "${count}" || usage "--ranks: ${count} is no number of ranks"; done
+      shift 2
+      ;;
+    *)
+      isCount "$1" || usage "$1 is no number of rounds"
+      rounds="$1"
+      shift
+      ;;
+  esac
+done
 # shellcheck source=tests/mpi/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
-rounds="${1:-3}"
 # least FILE...: of each figure the least over the rounds, in whole milliseconds (and megabytes).
 least() {
   python3 - "$@" <<'PYTHON'
@@ -25,19 +54,25 @@ else:
 PYTHON
 }
 
-echo "| environment | ranks | t_parallel | t_distributed | difference | start-up | waiting | t_merging | t_postprocessing | MB sent |"
-echo "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
+processors="$(nproc)"
+for count in "${counts[@]}"; do
+  if [ $((count * threads)) -gt "${processors}" ]; then
+    echo "${count} ranks of ${threads} threads take turns on ${processors} processors: their times say little about scaling" >&2
+  fi
+done
+echo "| environment | ranks | threads a rank | t_parallel | t_distributed | difference | start-up | waiting | t_merging | t_postprocessing | MB sent |"
+echo "|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|"
 for name in villa arena; do
   awk '/^VerticalClearanceFilter/ { print "SortedRecursiveStrategy 50 4 true" } { print }
     /^VerticalClearanceFilter/ { print "Collapse" }' "${FOOTFALL_SAMPLES}/${name}/${name}.pipeline" >"${work}/p.pipeline"
   run=("${FOOTFALL_SAMPLES}/${name}/${name}.obj" -p "${work}/p.pipeline" --quiet -o "${work}/out.obj")
-  for count in 1 2 4; do
+  for count in "${counts[@]}"; do
     for ((i = 0; i < rounds; ++i)); do
-      "${FOOTFALL}" run "${run[@]}" --threads "${count}" --stats "${work}/one-${i}.json"
-      ranks "${count}" "${FOOTFALL_MPI}" run "${run[@]}" --threads 1 --stats "${work}/many-${i}.json"
+      "${FOOTFALL}" run "${run[@]}" --threads "$((count * threads))" --stats "${work}/one-${i}.json"
+      ranks "${count}" "${FOOTFALL_MPI}" run "${run[@]}" --threads "${threads}" --stats "${work}/many-${i}.json"
     done
     read -r one _ < <(least "${work}"/one-*.json)
     read -r many post start waiting merging sent < <(least "${work}"/many-*.json)
-    echo "| ${name} | ${count} | ${one} | ${many} | $((many - one)) | ${start} | ${waiting} | ${merging} | ${post} | ${sent} |"
+    echo "| ${name} | ${count} | ${threads} | ${one} | ${many} | $((many - one)) | ${start} | ${waiting} | ${merging} | ${post} | ${sent} |"
   done
 done
