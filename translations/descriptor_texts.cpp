@@ -104,7 +104,7 @@
     QT_TRANSLATE_NOOP("Filter", "Largest depth"),
     QT_TRANSLATE_NOOP("Filter", "How many times the whole environment may be cut, one cut inside the other."),
     QT_TRANSLATE_NOOP("Filter", "Round the cuts"),
-    QT_TRANSLATE_NOOP("Filter", "Whether points on a cut are rounded to doubles where a cell's triangles are shown or handed on. In the thesis that keeps numbers small; here they vanish in Collapse, so both values give the same result."),
+    QT_TRANSLATE_NOOP("Filter", "Read from the thesis's files, where points on cuts are rounded to keep numbers small. Here no obstacle is cut and cuts vanish in Collapse, so both values give the same result; only the cut environment of footfall cells -o differs."),
     QT_TRANSLATE_NOOP("Filter", "Sorted recursive strategy"),
     QT_TRANSLATE_NOOP("Filter", "Cuts the environment into halves of about equally many triangles, across x and y in turn and again as long as a part holds many, and begins a parallel block."),
     QT_TRANSLATE_NOOP("Filter", "thesis 4.3.3"),

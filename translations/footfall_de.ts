@@ -356,6 +356,14 @@
         <translation>Alle Ecken sind schon exakt</translation>
     </message>
     <message>
+        <source>repair false changes nothing, because what rounding breaks is always repaired; footfall-rounding-experiment --no-repair leaves it</source>
+        <translation>repair false ändert nichts, weil immer ausgebessert wird, was das Runden zerbricht; footfall-rounding-experiment --no-repair lässt es</translation>
+    </message>
+    <message>
+        <source>round changes nothing, because no obstacle is cut and cuts vanish in Collapse; footfall-rounding-experiment repeats what the thesis did.</source>
+        <translation>round ändert nichts, weil kein Hindernis zerschnitten wird und Schnitte im Collapse verschwinden; footfall-rounding-experiment wiederholt, was die Dissertation tat.</translation>
+    </message>
+    <message>
         <source>case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5</source>
         <translation>Fall 1: %1, Fall 2: %2, Fall 3: %3, Fall 4: %4, Fall 5: %5</translation>
     </message>
@@ -1192,6 +1200,14 @@
         <translation>Agenten: der Sprung von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
     </message>
     <message>
+        <source>one of the two meshes</source>
+        <translation>eines der beiden Netze</translation>
+    </message>
+    <message>
+        <source>the picture</source>
+        <translation>das Bild</translation>
+    </message>
+    <message>
         <source>the floor plan</source>
         <translation>der Grundriss</translation>
     </message>
@@ -2007,8 +2023,8 @@
         <translation>Schnitte runden</translation>
     </message>
     <message>
-        <source>Whether points on a cut are rounded to doubles where a cell&apos;s triangles are shown or handed on. In the thesis that keeps numbers small; here they vanish in Collapse, so both values give the same result.</source>
-        <translation>Ob Punkte auf einem Schnitt auf doppelte Genauigkeit gerundet werden, wo die Dreiecke einer Zelle gezeigt oder weitergegeben werden. In der Dissertation hält das Zahlen klein; hier verschwinden sie im Collapse, daher ergeben beide Werte dasselbe.</translation>
+        <source>Read from the thesis&apos;s files, where points on cuts are rounded to keep numbers small. Here no obstacle is cut and cuts vanish in Collapse, so both values give the same result; only the cut environment of footfall cells -o differs.</source>
+        <translation>Wird aus den Dateien der Dissertation gelesen, in der Punkte auf Schnitten gerundet werden, damit Zahlen klein bleiben. Hier wird kein Hindernis zerschnitten, und Schnitte verschwinden im Collapse, daher ergeben beide Werte dasselbe; nur die zerschnittene Umgebung von footfall cells -o ist eine andere.</translation>
     </message>
     <message>
         <source>Sorted recursive strategy</source>
@@ -3677,6 +3693,17 @@
             <numerusform>Nur die größten %n Gebiete sind gezeichnet</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Distance to the other result</source>
+        <translation>Abstand zum anderen Ergebnis</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangles with the smallest distances are not drawn</source>
+        <translation>
+            <numerusform>%n Dreieck mit dem kleinsten Abstand ist nicht gezeichnet</numerusform>
+            <numerusform>%n Dreiecke mit den kleinsten Abständen sind nicht gezeichnet</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ComparePanel</name>
@@ -3707,6 +3734,14 @@
     <message>
         <source>What the result is compared with, after each run</source>
         <translation>Womit das Ergebnis nach jedem Lauf verglichen wird</translation>
+    </message>
+    <message>
+        <source>Colour by &amp;distance</source>
+        <translation>Nach &amp;Abstand färben</translation>
+    </message>
+    <message>
+        <source>Colour the result by how far its vertices are from the other one: red is nothing, blue the largest</source>
+        <translation>Das Ergebnis danach färben, wie weit seine Ecken vom anderen entfernt sind: rot ist nichts, blau das meiste</translation>
     </message>
     <message>
         <source>Compare &amp;with</source>

@@ -34,6 +34,13 @@
             <numerusform>Only the largest %n regions are drawn</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n triangles with the smallest distances are not drawn</source>
+        <translation>
+            <numerusform>%n triangle with the smallest distance is not drawn</numerusform>
+            <numerusform>%n triangles with the smallest distances are not drawn</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::ComparePanel</name>

@@ -90,7 +90,8 @@ constexpr std::array kFilterFunctions = {
                    }},
     FilterFunction{FilterType::LayerSubdivision,
                    [](const FilterCall& f) { return applyLayerSubdivision(f.state, f.recall, f.context); }},
-    FilterFunction{FilterType::Rounding, [](const FilterCall& f) { return applyRounding(f.state, f.context); }},
+    FilterFunction{FilterType::Rounding,
+                   [](const FilterCall& f) { return applyRounding(f.state, f.values[0] != 0, f.context); }},
 };
 
 }  // namespace

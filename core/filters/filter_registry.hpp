@@ -24,6 +24,6 @@ FilterOutcome applyArea(const StatePtr& state, double minimum, const Recall& rec
 FilterOutcome applySimplification(const StatePtr& state, bool approximate, double tolerance, const Recall& recall,
                                   RunContext& context);
 FilterOutcome applyLayerSubdivision(const StatePtr& state, const Recall& recall, RunContext& context);
-FilterOutcome applyRounding(const StatePtr& state, RunContext& context);
+FilterOutcome applyRounding(const StatePtr& state, bool repair, RunContext& context);
 
 }  // namespace footfall::detail

@@ -11,10 +11,14 @@
 namespace footfall::detail {
 namespace {
 
+// The number of the parameter `round` in every strategy that has it.
+constexpr std::size_t kRound = 2;
+
 std::string textOf(FilterType strategy, const std::vector<double>& values) {
   std::string text(filterDescriptor(strategy).name);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const bool isRound = i == 2;  // the third parameter, where there is one
+    const bool isRound = i == kRound;
+    if (isRound && values[i] == 0 && strategy == FilterType::GridStrategy) break;  // as it is usually written
     text += ' ';
     text += isRound ? (values[i] != 0 ? "true" : "false") : std::to_string(static_cast<long long>(values[i]));
   }
@@ -86,6 +90,10 @@ Partition makePartition(FilterType strategy, const std::vector<double>& values, 
   const auto* const function = std::ranges::find(kStrategyFunctions, strategy, &StrategyFunction::type);
   if (function == kStrategyFunctions.end()) throw std::logic_error("no such strategy: " + call.name);
   const CutTreePtr tree = function->grow(call);
+  if (values.size() > kRound && values[kRound] != 0)
+    call.reason = FOOTFALL_TEXT(
+        "round changes nothing, because no obstacle is cut and cuts vanish in Collapse; "
+        "footfall-rounding-experiment repeats what the thesis did.");
   Partition partition = partitionOf(*tree);
   partition.strategy = std::move(call.name);
   partition.reason = std::move(call.reason);

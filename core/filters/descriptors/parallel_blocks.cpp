@@ -35,11 +35,12 @@ constexpr ParameterDescriptor kRoundCuts{
     .name = "round",
     .label = "Round the cuts",
     .help =
-        "Whether points on a cut are rounded to doubles where a cell's triangles are shown or handed on. In the thesis "
-        "that keeps numbers small; here they vanish in Collapse, so both values give the same result.",
+        "Read from the thesis's files, where points on cuts are rounded to keep numbers small. Here no obstacle is cut "
+        "and cuts vanish in Collapse, so both values give the same result; only the cut environment of "
+        "footfall cells -o differs.",
     .type = ParameterType::Boolean,
     .unit = Unit::None,
-    .defaultValue = 1,
+    .defaultValue = 0,
     .minimum = 0,
     .maximum = 1,
 };
@@ -73,7 +74,8 @@ FilterDescriptor describeGridStrategy() {
       .precondition = kBlockPrecondition,
       .effect = kBlockEffect,
       .source = "thesis 4.3.1",
-      .parameters = {count("n", "Columns", "Number of cells along x."), count("m", "Rows", "Number of cells along y.")},
+      .parameters = {count("n", "Columns", "Number of cells along x."), count("m", "Rows", "Number of cells along y."),
+                     optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
   };

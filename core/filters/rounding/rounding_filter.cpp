@@ -7,7 +7,7 @@
 
 namespace footfall::detail {
 
-FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
+FilterOutcome applyRounding(const StatePtr& state, bool repair, RunContext& context) {
   FilterOutcome outcome;
   if (!hasConstructedVertices(*state)) {
     outcome.state = state;
@@ -20,6 +20,10 @@ FilterOutcome applyRounding(const StatePtr& state, RunContext& context) {
   const RoundingCases& c = soup.cases;
   outcome.note = Text(FOOTFALL_TEXT("case 1: %1, case 2: %2, case 3: %3, case 4: %4, case 5: %5"), Text::count(c.exact),
                       Text::count(c.edge), Text::count(c.point), Text::count(c.collinear), Text::count(c.flipped));
+  if (!repair)
+    outcome.note = Text(Pattern{"%1; %2"}, outcome.note,
+                        FOOTFALL_TEXT("repair false changes nothing, because what rounding breaks is always repaired; "
+                                      "footfall-rounding-experiment --no-repair leaves it"));
   return outcome;
 }
 

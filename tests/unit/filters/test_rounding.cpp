@@ -263,6 +263,19 @@ class TestRounding : public QObject {
     QVERIFY(mesh.obstacleEdges.empty() && test::countParts(mesh) == 1);
   }
 
+  // The thesis's files say `RoundingFilter true`; another value is read, repaired all the same, and reported.
+  void unrepairedRoundingIsReported() {
+    const auto environment = environmentOf({{0, 0, 0}, {9, 0, 0}, {0, 9, 0.3}, {1, 1, 1}, {3, 1.1, 1.7}, {1.3, 3, 1.2}},
+                                           {{0, 1, 2}, {3, 4, 5}});
+    RunContext context;
+    const StatePtr state = apply("VerticalClearanceFilter", {2}, makeInitialState(environment, context), context);
+    const FilterDescriptor& filter = *findFilter("RoundingFilter");
+    const auto noteOf = [&](double repair) { return applyFilter(filter, {repair}, state, context).note.str(); };
+    QVERIFY(noteOf(1).find("repair") == std::string::npos);
+    QVERIFY(noteOf(0).find("repair false changes nothing") != std::string::npos);
+    QVERIFY(noteOf(0).find("footfall-rounding-experiment") != std::string::npos);
+  }
+
   void roundingStartsANewGeneration() {
     // a box over a floor: after rounding, clearance finds the same again
     const auto environment = environmentOf({{0, 0, 0}, {9, 0, 0}, {0, 9, 0.3}, {1, 1, 1}, {3, 1.1, 1.7}, {1.3, 3, 1.2}},

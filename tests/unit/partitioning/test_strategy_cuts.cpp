@@ -206,6 +206,25 @@ class TestStrategyCuts : public QObject {
     QCOMPARE(heights(house), 7);
   }
 
+  // The thesis's parameter is read, has no effect on the cells, and the reason says so.
+  void roundingOfCutsIsReported() {
+    const Case given(Soup().floor(0, 0, 8, 8, 0));
+    for (const auto& [strategy, values] : {std::pair{FilterType::GridStrategy, std::vector<double>{2, 2}},
+                                           {FilterType::RecursiveStrategy, {1, 2}},
+                                           {FilterType::SortedRecursiveStrategy, {1, 2}}}) {
+      std::vector<double> with = values, without = values;
+      with.push_back(1);
+      without.push_back(0);
+      const Partition rounded = given.partition(strategy, with), plain = given.partition(strategy, without);
+      QCOMPARE(rounded.borders, plain.borders);
+      QVERIFY(plain.reason.empty());
+      QVERIFY(rounded.reason.str().find("round changes nothing") != std::string::npos);
+      QVERIFY(rounded.reason.str().find("footfall-rounding-experiment") != std::string::npos);
+      QVERIFY(rounded.strategy.ends_with(" true") && !plain.strategy.ends_with(" true"));
+    }
+    QCOMPARE(given.partition(FilterType::GridStrategy, {2, 2, 0}).strategy, std::string("GridStrategy 2 2"));
+  }
+
   void automaticChoosesFromWorkAndThreads() {
     const Case small(Soup().floor(0, 0, 4, 4, 0));
     const Partition one = small.partition(FilterType::AutoStrategy, {});
