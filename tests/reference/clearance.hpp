@@ -1,0 +1,119 @@
+// How far a place of a navigation mesh is from its border, by looking in all directions: slow and obvious. With
+// rational numbers it is exact; with doubles it serves for large meshes. SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gmpxx.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/mesh/surface_topology.hpp"
+#include "footfall/navigation_mesh.hpp"
+
+namespace footfall::reference {
+
+/// Squared distances to the first border in each direction. `Number` is mpq_class or double.
+template <class Number>
+class SeenBorder {
+ public:
+  /// `bridged` has its gaps as faces. Sides whose entry in `counts` is 0 block the view and are no border (3 t + i);
+  /// where there are no entries, all count.
+  SeenBorder(const NavigationMesh& bridged, const detail::SurfaceTopology& topology,
+             std::span<const std::uint8_t> counts = {})
+      : mesh_(bridged), topology_(topology), counts_(counts), isBorder_(topology.fanVertices.size(), 0) {
+    for (std::uint32_t t = 0; t < bridged.triangles.size(); ++t)
+      for (int i = 0; i < 3; ++i)
+        if (topology.components[t] != detail::SurfaceTopology::kNone &&
+            topology.neighbours[t][i] == detail::SurfaceTopology::kNone && isCounted(t, i))
+          isBorder_[topology.fans[t][i]] = isBorder_[topology.fans[t][(i + 1) % 3]] = 1;
+  }
+
+  struct Place {
+    Number x, y;
+  };
+  /// The place with these weights of the first and the second corner; all three weights are above 0.
+  [[nodiscard]] Place inside(std::uint32_t face, const Number& u, const Number& v) const {
+    const Place a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
+    return {Number(c.x + u * (a.x - c.x) + v * (b.x - c.x)), Number(c.y + u * (a.y - c.y) + v * (b.y - c.y))};
+  }
+  /// From a place inside of a face.
+  std::optional<Number> squaredDistance(std::uint32_t face, const Place& p) {
+    place_ = p;
+    best_.reset();
+    for (int i = 0; i < 3; ++i) takeCorner(face, i);
+    for (int side = 0; side < 3; ++side)
+      look(face, side, minus(corner(face, side + 1), p), minus(corner(face, side), p));
+    return best_;
+  }
+
+ private:
+  static Place minus(const Place& a, const Place& b) { return {Number(a.x - b.x), Number(a.y - b.y)}; }
+  static Number turn(const Place& a, const Place& b) { return a.x * b.y - a.y * b.x; }
+  static Number product(const Place& a, const Place& b) { return a.x * b.x + a.y * b.y; }
+  [[nodiscard]] Place corner(std::uint32_t face, int i) const {
+    const Vec3& v = mesh_.vertices[mesh_.triangles[face][i % 3]];
+    return {Number(v.x), Number(v.y)};
+  }
+  [[nodiscard]] bool isCounted(std::uint32_t face, int side) const {
+    const std::size_t number = 3 * std::size_t{face} + side;
+    return number >= counts_.size() || counts_[number] != 0;
+  }
+  void takeCorner(std::uint32_t face, int i) {
+    const Place p = minus(corner(face, i), place_);
+    if (isBorder_[topology_.fans[face][i]] != 0) take(product(p, p));
+  }
+  void take(const Number& squared) {
+    if (!best_ || squared < *best_) best_ = squared;
+  }
+  /// The least squared length of the vectors from a to b.
+  static Number nearest(const Place& a, const Place& b) {
+    const Place way = minus(b, a);
+    const Number length = product(way, way);
+    if (length == 0) return product(a, a);
+    const Number along = -product(a, way);
+    if (along <= 0) return product(a, a);
+    if (along >= length) return product(b, b);
+    const Number aside = turn(a, way);
+    return aside * aside / length;
+  }
+  /// Where a direction meets the line from a to b.
+  static Place meet(const Place& direction, const Place& a, const Place& b) {
+    const Place way = minus(b, a);
+    const Number t = turn(direction, a) / turn(way, direction);
+    return {Number(a.x + t * way.x), Number(a.y + t * way.y)};
+  }
+  /// Looks out of a side of a face, between two directions that meet the side.
+  void look(std::uint32_t face, int side, const Place& left, const Place& right) {
+    const Place a = minus(corner(face, side), place_), b = minus(corner(face, side + 1), place_);
+    if (turn(right, left) <= 0) return;
+    Place seenRight = a, seenLeft = b;
+    if (turn(a, right) > 0) seenRight = meet(right, a, b);
+    if (turn(left, b) > 0) seenLeft = meet(left, a, b);
+    const Number least = nearest(seenRight, seenLeft);
+    if (best_ && least >= *best_) return;
+    const std::uint32_t other = topology_.neighbours[face][side];
+    if (other == detail::SurfaceTopology::kNone) {
+      if (isCounted(face, side)) take(least);
+      return;
+    }
+    const int behind = topology_.sideBehind(face, side);
+    const Place tip = minus(corner(other, behind + 2), place_);
+    const Number toLeft = turn(tip, left), toRight = turn(right, tip);
+    if (toLeft >= 0 && toRight >= 0) takeCorner(other, (behind + 2) % 3);
+    if (toRight > 0) look(other, (behind + 1) % 3, toLeft > 0 ? tip : left, right);
+    if (toLeft > 0) look(other, (behind + 2) % 3, left, toRight > 0 ? tip : right);
+  }
+
+  const NavigationMesh& mesh_;
+  const detail::SurfaceTopology& topology_;
+  std::span<const std::uint8_t> counts_;
+  std::vector<char> isBorder_;  ///< of each fan of the topology: a side that counts begins or ends there
+  Place place_;
+  std::optional<Number> best_;
+};
+
+}  // namespace footfall::reference
