@@ -134,23 +134,37 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
   return true;
 }
 
-// The cell in which the edge runs from a to b. Else a cell at a: at the border of the face the one whose last edge at a
-// has no cell on its other side.
+// The place where the edge runs from a to b; an edge of the face may run from b to a only. False where there is none.
+// Walks around both ends take turns, so the time is bounded by the smaller degree: over all edges of a planar graph the
+// smaller degrees add up to a multiple of their number, even where one vertex has an edge to every other one.
 bool FaceTriangulation::findEdge(Index a, Index b, Place& place) const {
-  const Index start = cells_.cellOf(a);
-  // around a one way until the start or the border, then the other way
-  for (const bool forward : {false, true}) {
-    for (Index at = start;;) {
-      const Cell& c = cells_[at];
-      const int i = cornerOf(c, a);
-      place = {at, i};
-      if (c.corners[next(i)] == b) return true;
-      at = c.neighbors[forward ? previous(i) : i];
-      if (at == start) return false;
-      if (at < 0) break;
+  // Around one vertex one way until the start or the border, then the other way.
+  struct Walk {
+    Index around, target, start, at;
+    bool isForward = false;
+  };
+  std::array<Walk, 2> walks{Walk{a, b, cells_.cellOf(a), cells_.cellOf(a)},
+                            Walk{b, a, cells_.cellOf(b), cells_.cellOf(b)}};
+  for (;;) {
+    for (Walk& walk : walks) {
+      const Cell& c = cells_[walk.at];
+      const int i = cornerOf(c, walk.around), before = previous(i);
+      const bool isOut = c.corners[next(i)] == walk.target;
+      if (isOut || c.corners[before] == walk.target) {
+        place = {walk.at, isOut ? i : before};
+        const Index beyond = c.neighbors[place.k];
+        if (c.corners[place.k] != a && beyond >= 0) place = {beyond, neighborSlot(cells_[beyond], walk.at)};
+        return true;
+      }
+      walk.at = c.neighbors[walk.isForward ? before : i];
+      if (walk.at == walk.start) return false;
+      if (walk.at >= 0) continue;
+      if (walk.isForward) return false;
+      walk.isForward = true;
+      walk.at = cells_[walk.start].neighbors[previous(cornerOf(cells_[walk.start], walk.around))];
+      if (walk.at < 0) return false;
     }
   }
-  return false;
 }
 
 void FaceTriangulation::mark(const Segment& segment, Place place, int sign) {
@@ -167,14 +181,8 @@ void FaceTriangulation::mark(const Segment& segment, Place place, int sign) {
 
 bool FaceTriangulation::markEdge(const Segment& segment, Index a, Index b) {
   Place place;
-  if (findEdge(a, b, place)) {
-    mark(segment, place, 1);
-    return true;
-  }
-  // an edge of the face may run the other way only, in the last cell round a
-  const int before = previous(place.k);
-  if (cells_[place.cell].corners[before] != b) return false;
-  mark(segment, {place.cell, before}, -1);
+  if (!findEdge(a, b, place)) return false;
+  mark(segment, place, cells_[place.cell].corners[place.k] == a ? 1 : -1);
   return true;
 }
 
@@ -278,10 +286,7 @@ void FaceTriangulation::flipAway(const Segment& segment) {
     poll();
     Edge e = crossed_[head];
     Place place;
-    if (!findEdge(e[0], e[1], place)) {
-      std::swap(e[0], e[1]);
-      if (!findEdge(e[0], e[1], place)) fail("a lost edge");
-    }
+    if (!findEdge(e[0], e[1], place)) fail("a lost edge");
     const Index other = cells_[place.cell].neighbors[place.k];
     const Index r = cells_[place.cell].corners[previous(place.k)];
     const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], place.cell))];
