@@ -11,6 +11,9 @@
 #include "core/base/number_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_report.hpp"
+#include "core/io/export.hpp"
+#include "core/io/write_targets.hpp"
+#include "core/report/distance_picture.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
@@ -26,11 +29,13 @@ struct CompareOptions {
   bool json = false;
   bool failIfDifferent = false;
   std::optional<double> failAbove;  ///< area in the plan
+  std::string picture;              ///< empty: none
   int threads = 0;
   bool quiet = false;
 };
 
-constexpr std::size_t kSteps = 4;  // steps of compareMeshes()
+constexpr std::size_t kSteps = 4;            // of compareMeshes()
+constexpr std::size_t kMostDrawn = 300'000;  // triangles of a picture, which readers still open
 
 std::array<NavigationMeshFile, 2> readBoth(const CompareOptions& options, RunContext& context) {
   const std::optional<UpAxis> up = upAxisFrom(options.up);
@@ -58,9 +63,29 @@ std::string differenceOf(const CompareOptions& options, const MeshComparison& co
   return text + " was allowed";
 }
 
+/// Says what was drawn, for stdout; nothing with --json.
+std::string drawPicture(const CompareOptions& options, const std::array<NavigationMeshFile, 2>& files,
+                        CommandSession& session) {
+  session.begin("drawing");
+  const DistanceBands bands = findDistanceBands(files[0].mesh, files[1].mesh, kMostDrawn, session.context());
+  if (bands.isEmpty())
+    throw InputError("--picture: there is no distance, because " +
+                     options.files[files[0].mesh.triangles.empty() ? 0 : 1] +
+                     " has no triangle with an area; leave --picture out");
+  writeFileSafely(options.picture, formatDistancePicture(options.picture, bands, options.files));
+  session.end();
+  return options.json ? std::string() : options.picture + '\n';
+}
+
 void compareFiles(const CompareOptions& options) {
   if (options.failAbove && !(std::isfinite(*options.failAbove) && *options.failAbove >= 0))
     throw InputError("--fail-above: must be an area in the files' units; give 0 or more");
+  if (!options.picture.empty()) {
+    checkPictureName(options.picture);
+    WriteTargets targets;
+    for (const std::string& file : options.files) targets.protect(file, FOOTFALL_TEXT("one of the two meshes"));
+    targets.add(options.picture, FOOTFALL_TEXT("the picture"));
+  }
   CommandSession session(options.threads, options.quiet);
   const Stopwatch loading;
   session.begin("loading");
@@ -72,6 +97,7 @@ void compareFiles(const CompareOptions& options) {
   const ComparisonTimes times{loadMs, comparing.wallMs()};
   session.end();
   print(options.json ? formatComparisonJson(files, comparison, times) : formatComparison(files, comparison, times));
+  if (!options.picture.empty()) print(drawPicture(options, files, session));
   const std::string difference = differenceOf(options, comparison);
   if (!difference.empty()) throw RunError(difference);
 }
@@ -103,6 +129,10 @@ void addCompareCommand(CLI::App& app) {
       .add_option("--fail-above", options->failAbove,
                   "Exit with 1 when more than this area of one, in the plan, is not covered by the other")
       ->type_name("AREA");
+  command
+      .add_option("--picture", options->picture,
+                  "Draw A from above, coloured by the distance to B at its vertices, with a legend")
+      ->type_name("FILE.svg|.pdf");
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar");
   command.callback([options] { compareFiles(*options); });

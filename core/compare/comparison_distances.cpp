@@ -313,4 +313,18 @@ std::array<SurfaceDistances, 2> measureDistances(const ComparedSurfaces& surface
   return result;
 }
 
+std::vector<double> distancesOfPositions(const ComparedSurfaces& surfaces, RunContext& context) {
+  const ScaledPlaces scaled(surfaces.positions);
+  const Target target(surfaces, scaled, surfaces.surfaces[1], context);
+  const std::vector<std::uint32_t>& samples = surfaces.surfaces[0].positions;
+  std::vector<double> distances(surfaces.positions.size(), 0);
+  forRanges(samples.size(), kRange, [&](std::size_t first, std::size_t last) {
+    context.checkCancelled();
+    std::vector<std::int32_t> stack;
+    for (std::size_t i = first; i < last; ++i)
+      distances[samples[i]] = scaled.out(target.nearest(samples[i], kNear, stack).distance);
+  });
+  return distances;
+}
+
 }  // namespace footfall::detail::comparison
