@@ -41,6 +41,7 @@ CompareFeature::CompareFeature(const FeatureHost& host, LevelView& view, ViewLay
                           panel_);
   addCommands(host.commands);
   connect(panel_, &ComparePanel::chosen, this, &CompareFeature::choose);
+  connect(panel_, &ComparePanel::distanceToggled, watch_, &CompareWatch::setDistancesWanted);
   connect(panel_, &ComparePanel::frameRequested, this, &CompareFeature::frame);
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     if (!on) watch_->compareWithNothing();
@@ -167,40 +168,73 @@ void CompareFeature::show() {
 
 void CompareFeature::draw() {
   const auto& difference = watch_->difference();
-  std::vector<Legend::Note> notes;
+  const auto& distances = watch_->distances();
   if (!difference) {
     view_.removeOverlay(kDifferenceOverlay);
     view_.cameraController().setSelectionBounds(kDifferenceOverlay, std::nullopt);
+    layout_.legend().setNotes({});
+  } else if (distances && !distances->isEmpty()) {
+    drawDistances(*distances);
   } else {
-    ViewOverlay overlay;
-    overlay.throughWalls = true;
-    std::array<ViewOverlay::Surface, 2> surfaces;
-    const std::array colours{wentColour(), appearedColour()};
-    // The largest regions, as far as they can be drawn with every frame.
-    std::vector<std::size_t> triangles(difference->regions.size(), 0);
-    for (const auto& regionOf : difference->regionOf)
-      for (const std::uint32_t region : regionOf) ++triangles[region];
-    std::size_t drawn = 0, count = 0;
-    while (count < triangles.size() && drawn + triangles[count] <= kMostDrawn) drawn += triangles[count++];
-    for (std::size_t m = 0; m < 2; ++m) {
-      surfaces[m].colour = colours[m];
-      surfaces[m].colour.setAlpha(kAlpha);
-      for (std::size_t i = 0; i < difference->triangles[m].size(); ++i)
-        if (difference->regionOf[m][i] < count) surfaces[m].triangles.push_back(difference->triangles[m][i]);
-      overlay.surfaces.push_back(std::move(surfaces[m]));
-    }
-    if (chosenRegion_ >= 0) {
-      const DifferentRegion& region = difference->regions[static_cast<std::size_t>(chosenRegion_)];
-      overlay.lines.push_back({edgesOfBox(region.lower, region.upper), colours[region.mesh], 2, QColor(Qt::white)});
-    }
-    view_.setOverlay(kDifferenceOverlay, std::move(overlay));
-    const CompareWriter write = writer();
-    notes = {{appearedColour(), appearedText(*difference, write)}, {wentColour(), wentText(*difference, write)}};
-    if (count < triangles.size())
-      notes.push_back({QColor(), tr("Only the largest %n regions are drawn", "", static_cast<int>(count))});
+    drawDifference(*difference);
   }
-  layout_.legend().setNotes(notes);
   layout_.update();
+}
+
+void CompareFeature::drawDifference(const SurfaceDifference& difference) {
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  std::array<ViewOverlay::Surface, 2> surfaces;
+  const std::array colours{wentColour(), appearedColour()};
+  // The largest regions, as far as they can be drawn with every frame.
+  std::vector<std::size_t> triangles(difference.regions.size(), 0);
+  for (const auto& regionOf : difference.regionOf)
+    for (const std::uint32_t region : regionOf) ++triangles[region];
+  std::size_t drawn = 0, count = 0;
+  while (count < triangles.size() && drawn + triangles[count] <= kMostDrawn) drawn += triangles[count++];
+  for (std::size_t m = 0; m < 2; ++m) {
+    surfaces[m].colour = colours[m];
+    surfaces[m].colour.setAlpha(kAlpha);
+    for (std::size_t i = 0; i < difference.triangles[m].size(); ++i)
+      if (difference.regionOf[m][i] < count) surfaces[m].triangles.push_back(difference.triangles[m][i]);
+    overlay.surfaces.push_back(std::move(surfaces[m]));
+  }
+  if (chosenRegion_ >= 0) {
+    const DifferentRegion& region = difference.regions[static_cast<std::size_t>(chosenRegion_)];
+    overlay.lines.push_back({edgesOfBox(region.lower, region.upper), colours[region.mesh], 2, QColor(Qt::white)});
+  }
+  view_.setOverlay(kDifferenceOverlay, std::move(overlay));
+  const CompareWriter write = writer();
+  std::vector<Legend::Note> notes{{appearedColour(), appearedText(difference, write)},
+                                  {wentColour(), wentText(difference, write)}};
+  if (count < triangles.size())
+    notes.push_back({QColor(), tr("Only the largest %n regions are drawn", "", static_cast<int>(count))});
+  layout_.legend().setNotes(notes);
+}
+
+void CompareFeature::drawDistances(const DistanceBands& bands) {
+  ViewOverlay overlay;
+  const auto colourOf = [](std::size_t band) {
+    const auto [red, green, blue] = colourOfBand(band);
+    return QColor(red, green, blue);
+  };
+  for (std::size_t band = 0; band < DistanceBands::kCount; ++band) {
+    if (bands.triangles[band].empty()) continue;
+    overlay.surfaces.push_back({bands.triangles[band], colourOf(band)});
+    overlay.surfaces.back().colour.setAlpha(kAlpha);
+  }
+  if (bands.largest > 0) overlay.marks.push_back({bands.farthest, QColor(Qt::black)});
+  view_.setOverlay(kDifferenceOverlay, std::move(overlay));
+  const LevelUnits units = units_.units();
+  std::vector<Legend::Note> notes{{QColor(), tr("Distance to the other result")}};
+  constexpr std::size_t kSteps = 4;
+  for (std::size_t step = 0; step <= (bands.largest > 0 ? kSteps : 0); ++step)
+    notes.push_back({colourOf(step * (DistanceBands::kCount - 1) / kSteps),
+                     units.length(bands.largest * static_cast<double>(step) / kSteps)});
+  if (bands.leftOut > 0)
+    notes.push_back(
+        {QColor(), tr("%n triangles with the smallest distances are not drawn", "", static_cast<int>(bands.leftOut))});
+  layout_.legend().setNotes(notes);
 }
 
 void CompareFeature::frame(int region) {

@@ -36,6 +36,8 @@ class CompareFeature : public QObject {
   void takeResult();
   void show();
   void draw();
+  void drawDifference(const SurfaceDifference& difference);
+  void drawDistances(const DistanceBands& bands);
   void frame(int region);
   [[nodiscard]] CompareWriter writer() const;
 

@@ -48,7 +48,11 @@ QString wentText(const SurfaceDifference& difference, const CompareWriter& write
 }
 
 ComparePanel::ComparePanel(QWidget* parent)
-    : QWidget(parent), choice_(new QComboBox(this)), summary_(new QLabel(this)), table_(new QTableWidget(this)) {
+    : QWidget(parent),
+      choice_(new QComboBox(this)),
+      distance_(new QCheckBox(tr("Colour by &distance"), this)),
+      summary_(new QLabel(this)),
+      table_(new QTableWidget(this)) {
   setObjectName(QStringLiteral("comparePanel"));
   choice_->setObjectName(QStringLiteral("compareChoice"));
   choice_->addItems({tr("Nothing"), tr("The result before the last edit"), tr("A saved result…")});
@@ -58,6 +62,9 @@ ComparePanel::ComparePanel(QWidget* parent)
   choice_->setToolTip(tr("What the result is compared with, after each run"));
   auto* form = new QFormLayout;
   form->addRow(tr("Compare &with"), choice_);
+  distance_->setObjectName(QStringLiteral("compareDistance"));
+  distance_->setToolTip(
+      tr("Colour the result by how far its vertices are from the other one: red is nothing, blue the largest"));
   summary_->setObjectName(QStringLiteral("compareSummary"));
   summary_->setTextFormat(Qt::PlainText);
   summary_->setWordWrap(true);
@@ -72,9 +79,11 @@ ComparePanel::ComparePanel(QWidget* parent)
   setColumnWidths(*table_, {{What, 12}, {Area, 11}});
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
+  layout->addWidget(distance_);
   layout->addWidget(summary_);
   layout->addWidget(table_, 1);
   connect(choice_, &QComboBox::activated, this, &ComparePanel::chosen);
+  connect(distance_, &QCheckBox::toggled, this, &ComparePanel::distanceToggled);
   onRowChosen(*table_, [this](int row) { emit frameRequested(row); });
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QTableWidget>
@@ -41,17 +42,20 @@ class ComparePanel : public QWidget {
   /// Whether another difference is being computed.
   void setWaiting(bool waiting);
 
+  [[nodiscard]] QCheckBox* distanceBox() const { return distance_; }
   [[nodiscard]] QComboBox* choiceBox() const { return choice_; }
   [[nodiscard]] QTableWidget* table() const { return table_; }
   [[nodiscard]] QString summary() const { return summary_->text(); }
 
  signals:
   void chosen(int choice);
+  void distanceToggled(bool on);
   /// A row was clicked, or Return was pressed on it: a place in SurfaceDifference::regions.
   void frameRequested(int region);
 
  private:
   QComboBox* choice_;
+  QCheckBox* distance_;
   QLabel* summary_;
   QTableWidget* table_;
 };

@@ -13,6 +13,11 @@
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
+namespace {
+
+constexpr std::size_t kMostDistances = 40'000;  // triangles: overlays are sent to the graphics card with every frame
+
+}  // namespace
 
 CompareWatch::CompareWatch(QObject* parent) : QObject(parent) {}
 
@@ -48,7 +53,19 @@ void CompareWatch::set(CompareWith with) {
   with_ = with;
   saved_.reset();
   difference_.reset();
+  distances_.reset();
   refresh();
+}
+
+void CompareWatch::setDistancesWanted(bool wanted) {
+  if (wanted == wantsDistances_) return;
+  wantsDistances_ = wanted;
+  if (!wanted) {
+    distances_.reset();
+    emit changed();
+  } else if (!distances_) {
+    refresh();
+  }
 }
 
 void CompareWatch::compareWithNothing() {
@@ -73,20 +90,24 @@ void CompareWatch::refresh() {
   const bool isPossible = with_ != CompareWith::Nothing && result_ && hasOther();
   if (!isPossible) {
     difference_.reset();
+    distances_.reset();
     emit changed();
     return;
   }
   const MeshPtr other = with_ == CompareWith::LastEdit ? before_ : saved_;
   work_.start(
       *this,
-      [other, result = result_, path = path_, up = up_](RunContext& context) {
+      [other, result = result_, path = path_, up = up_, wantsDistances = wantsDistances_](RunContext& context) {
         return onThreads(0, [&](int) {
-          Answer answer{other, nullptr};
+          Answer answer{other, nullptr, nullptr};
           if (!answer.saved)
             answer.saved = std::make_shared<NavigationMesh>(
                 readNavigationMesh(QFile::encodeName(path).toStdString(), std::nullopt, up, &context).mesh);
           answer.difference = std::make_shared<SurfaceDifference>(
               subtractSurfaces(*answer.saved, *result, context, roundingHeight(*answer.saved, *result)));
+          if (wantsDistances)
+            answer.distances =
+                std::make_shared<DistanceBands>(findDistanceBands(*result, *answer.saved, kMostDistances, context));
           return answer;
         });
       },
@@ -103,6 +124,7 @@ void CompareWatch::refresh() {
 void CompareWatch::take(const Answer& answer) {
   if (with_ == CompareWith::SavedResult) saved_ = answer.saved;
   difference_ = answer.difference;
+  distances_ = wantsDistances_ ? answer.distances : nullptr;
   emit changed();
 }
 

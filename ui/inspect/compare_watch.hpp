@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/compare/distance_bands.hpp"
 #include "core/compare/surface_difference.hpp"
 #include "footfall/environment.hpp"
 #include "ui/base/latest_work.hpp"
@@ -39,6 +40,8 @@ class CompareWatch : public QObject {
   void compareWithLastEdit();
   /// An OBJ file; `up` is the axis that it has where it does not say.
   void compareWithSaved(const QString& path, UpAxis up);
+  /// Whether distances() are found as well, in the background.
+  void setDistancesWanted(bool wanted);
 
   [[nodiscard]] CompareWith with() const { return with_; }
   [[nodiscard]] const QString& path() const { return path_; }
@@ -49,6 +52,10 @@ class CompareWatch : public QObject {
   /// none; of an older result while busy().
   [[nodiscard]] const std::shared_ptr<const SurfaceDifference>& difference() const { return difference_; }
 
+  [[nodiscard]] bool areDistancesWanted() const { return wantsDistances_; }
+  /// From the result to the other one; null while there are none or they are not wanted.
+  [[nodiscard]] const std::shared_ptr<const DistanceBands>& distances() const { return distances_; }
+
  signals:
   void changed();
   void failed(const QString& message);
@@ -57,6 +64,7 @@ class CompareWatch : public QObject {
   struct Answer {
     MeshPtr saved;
     std::shared_ptr<const SurfaceDifference> difference;
+    std::shared_ptr<const DistanceBands> distances;
   };
   void set(CompareWith with);
   void refresh();
@@ -70,6 +78,8 @@ class CompareWatch : public QObject {
   UpAxis up_ = UpAxis::Y;
   MeshPtr saved_;  ///< what path_ held; null until it was read
   std::shared_ptr<const SurfaceDifference> difference_;
+  bool wantsDistances_ = false;
+  std::shared_ptr<const DistanceBands> distances_;
   LatestWork work_;  // last: its thread ends before the rest goes
 };
 

@@ -106,6 +106,28 @@ class TestCompare : public QObject {
     QVERIFY(feature_->panel().choiceBox()->currentText().contains("saved.obj"));
   }
 
+  // The table is gone from the saved result: its top is 1 above the floor that is nearest.
+  void distancesAreColoured() {
+    const QString saved = folder_->filePath("saved.obj");
+    QSignalSpy written(window_.get(), &EditorWindow::written);
+    window_->exportResult(saved);
+    QTRY_COMPARE(written.count(), 1);
+    feature_->openSaved(saved);
+    QVERIFY(waitForDifference());
+    QVERIFY(!feature_->watch().distances());
+    feature_->panel().distanceBox()->click();
+    QTRY_VERIFY(!feature_->watch().busy() && feature_->watch().distances());
+    QCOMPARE(feature_->watch().distances()->largest, 0.0);
+    QVERIFY(legend().contains("Distance to the other result"));
+    setClearance(0.5);  // the floor below the table appears: its middle is far from what was there
+    QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy() && feature_->watch().distances());
+    QVERIFY(feature_->watch().distances()->samples > 0);
+    shoot(*window_, "compare-distance");
+    feature_->panel().distanceBox()->click();
+    QVERIFY(!feature_->watch().distances());
+    QVERIFY(!legend().contains("Distance"));
+  }
+
   void whatIsNoResultIsSaid() {
     feature_->openSaved(writeFile(*folder_, "bad.obj", "v 0 0\n"));
     QTRY_VERIFY(window_->messageBar().isVisible());
