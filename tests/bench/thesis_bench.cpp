@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
+#include <utility>
 
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
+#include "tests/bench/machine.hpp"
 #include "tests/bench/thesis_experiments.hpp"
 #include "tests/bench/thesis_report.hpp"
 
@@ -16,37 +17,22 @@ using namespace footfall;
 using namespace footfall::detail;
 using namespace footfall::bench;
 
-std::vector<ThesisSubject> samplesWithPipelines() {
-  std::vector<ThesisSubject> subjects;
-  for (const Subject& sample : sampleSubjects()) {
-    const std::string pipeline = std::filesystem::path(sample.path).replace_extension(".pipeline").string();
-    subjects.push_back({sample, pipeline});
-  }
-  return subjects;
-}
-
 void chooseExperiments(const std::vector<std::string>& only, ThesisOptions& options) {
   if (only.empty()) return;
   const auto asked = [&](const char* name) { return std::ranges::find(only, name) != only.end(); };
   options.due = asked("due");
+  options.printed = asked("printed");
   options.strategies = asked("strategies");
   options.scaling = asked("scaling");
   options.correctness = asked("correctness");
 }
 
-// Ascending, each once; those above the processors go to options.threadsLeftOut.
+// Ascending, each once.
 void chooseThreads(std::vector<int> threads, ThesisOptions& options) {
   std::ranges::sort(threads);
   const auto repeated = std::ranges::unique(threads);
   threads.erase(repeated.begin(), repeated.end());
-  const int processors = processorCount();
-  const auto tooMany = std::ranges::upper_bound(threads, processors);
-  options.threads.assign(threads.begin(), tooMany);
-  options.threadsLeftOut.assign(tooMany, threads.end());
-  if (options.threads.empty()) {
-    throw InputError("--threads: more than the " + std::to_string(processors) +
-                     " processors of this machine say nothing; give at least one that is not");
-  }
+  options.threads = std::move(threads);
 }
 
 /// The exit code: 1 when something could not be measured.
@@ -62,7 +48,7 @@ int runProgramWith(int argc, char** argv) {
   bool samples = false;
   std::string json, markdown;
   ThesisOptions options;
-  std::vector<int> threads{1, 2, 4, 8, 16};
+  std::vector<int> threads{1, 2, 4, 8, 16, 32};
   int tableThreads = 0, timeout = 600;
   app.add_option("FILES", files, "Environments, each with the clearance in its units where it is not 2")
       ->type_name("FILE[:HEIGHT]");
@@ -70,23 +56,23 @@ int runProgramWith(int argc, char** argv) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   app.add_flag("--samples", samples, "The samples of the repository too, with their pipelines");
-  app.add_option("--only", only, "Only these experiments: due, strategies, scaling, correctness")
+  app.add_option("--only", only, "Only these experiments: due, strategies, printed, scaling, correctness")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"due", "strategies", "scaling", "correctness"}))
+      ->check(CLI::IsMember({"due", "strategies", "printed", "scaling", "correctness"}))
       ->type_name("NAME,...");
   app.add_option("--strategy", options.strategyTexts,
                  "A row of the tables by strategy, such as \"SortedRecursiveStrategy 50 5 true\", instead of the usual "
                  "ones; give it once for each")
       ->allow_extra_args(false)
       ->type_name("STRATEGY");
-  app.add_option("--threads", threads, "Thread counts of the scaling; those above the processors are left out")
+  app.add_option("--threads", threads, "Thread counts of the scaling; more than there are processors take turns")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   app.add_option("--table-threads", tableThreads,
-                 "Threads of the tables by strategy and of correctness; the most of --threads by default")
+                 "Threads of the tables by strategy and of correctness; as many as there are processors by default")
       ->check(CLI::Range(1, 1024))
       ->type_name("N");
   app.add_option("--runs", options.rounds.runs, "Rounds of each comparison after one warm-up, at least")
@@ -113,7 +99,7 @@ int runProgramWith(int argc, char** argv) {
   chooseExperiments(only, options);
   for (const std::string& text : options.strategyTexts) parseStrategy(text);
   chooseThreads(threads, options);
-  options.tableThreads = tableThreads > 0 ? tableThreads : options.threads.back();
+  options.tableThreads = tableThreads > 0 ? tableThreads : processorCount();
   options.limits.time = std::chrono::seconds(timeout);
   if (samples) options.subjects = samplesWithPipelines();
   for (const std::string& file : files) options.subjects.push_back({parseSubject(file, clearance), ""});

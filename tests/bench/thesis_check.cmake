@@ -44,6 +44,10 @@ if(NOT equal OR covered LESS 0.999 OR covered GREATER 1.001)
 endif()
 
 file(READ "${SCRATCH}/thesis.md" markdown)
+string(JSON processors GET "${json}" machine processors)
+if(NOT processors GREATER 0)
+  message(FATAL_ERROR "${processors} processors")
+endif()
 foreach(part "### By strategy and depth, 2 threads" "| Grid 2 x 2 |" "### Scaling over threads" "### Correctness"
         "| walkable space |")
   string(FIND "${markdown}" "${part}" found)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/bench/thesis_experiments.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
-#include <thread>
 
 #include "footfall/version.hpp"
+#include "tests/bench/machine.hpp"
 #include "tests/bench/markdown.hpp"
 #include "tests/bench/thesis_correctness.hpp"
 #include "tests/bench/thesis_figures.hpp"
@@ -19,6 +21,9 @@ constexpr const char* kSortedFour = "SortedRecursiveStrategy 50 4 true";
 // Used in its parallel listing (5.4).
 constexpr const char* kSortedThree = "SortedRecursiveStrategy 50 3 true";
 
+constexpr std::array kPhases{"preprocessing_ms", "partitioning_ms",   "parallel_ms",
+                             "merging_ms",       "postprocessing_ms", "overhead_ms"};
+
 std::vector<std::string> defaultStrategies(const std::string& name) {
   std::vector<std::string> texts{"GridStrategy 2 2", "GridStrategy 3 3", "GridStrategy 4 4"};
   if (name == "tower") texts = {"GridStrategy 2 1", "GridStrategy 2 2"};
@@ -32,6 +37,8 @@ std::vector<std::string> defaultStrategies(const std::string& name) {
 Json thesisRunJson(const ThesisRun& run) {
   Json json{{"total_ms", run.totalMs}};
   json["speed_up"] = run.speedUp ? Json(*run.speedUp) : Json();
+  for (std::size_t i = 0; i < kPhases.size(); ++i)
+    json[kPhases[i]] = run.phasesMs[i] < 0 ? Json() : Json(run.phasesMs[i]);
   return json;
 }
 
@@ -42,9 +49,9 @@ class Experiments {
   Json run() const {
     Json results;
     results["program"] = {{"version", FOOTFALL_VERSION}};
+    results["machine"] = describeMachine();
     results["processors"] = processorCount();
     results["threads"] = options_.threads;
-    results["threads_left_out"] = options_.threadsLeftOut;
     results["table_threads"] = options_.tableThreads;
     results["due_threads"] = kDueThreads;
     results["runs"] = options_.rounds.runs;
@@ -74,6 +81,7 @@ class Experiments {
     if (entry.contains("fails")) return entry;
     if (options_.due && processorCount() >= kDueThreads) entry["due"] = measureDue(subject);
     if (options_.strategies) entry["strategies"] = measureStrategies(subject);
+    if (options_.printed && subject.isSample()) entry["printed"] = measurePrinted(subject);
     if (options_.scaling) entry["scaling"] = measureScaling(subject);
     if (options_.correctness) entry["correctness"] = measureAllCorrectness(subject);
     return entry;
@@ -150,11 +158,25 @@ class Experiments {
     return list;
   }
 
+  // 60 degrees, 3 and 500 in the units of the file, whatever they are there.
+  Json measurePrinted(const ThesisSubject& subject) const {
+    tell(subject, "the listings as they are printed");
+    const Configuration sequential{FilterList::PrintedSequential, "", 1};
+    const Configuration parallel{FilterList::PrintedParallel, "", options_.tableThreads};
+    Json times = timesOf(subject, {sequential, parallel});
+    addSpeedUp(times[0], times[1]);
+    return {{"sequential", times[0]}, {"parallel", times[1]}};
+  }
+
   Json measureScaling(const ThesisSubject& subject) const {
     tell(subject, "scaling over threads");
-    const std::vector<Labelled> lines{{"Auto", {FilterList::Own, kAuto, 1}},
-                                      {describeStrategy(kSortedFour), {FilterList::Own, kSortedFour, 1}},
-                                      {"no block", {FilterList::Own, "", 1}}};
+    std::vector<Labelled> lines{{"Auto", {FilterList::Own, kAuto, 1}},
+                                {describeStrategy(kSortedFour), {FilterList::Own, kSortedFour, 1}},
+                                {"no block", {FilterList::Own, "", 1}}};
+    if (subject.isSample()) {
+      for (const char* text : {"GridStrategy 4 4", "RecursiveStrategy 50 3 true", "HeightAwareStrategy 50 4"})
+        lines.push_back({describeStrategy(text), {FilterList::Own, text, 1}});
+    }
     std::vector<Configuration> configurations{{FilterList::Own, "", 1}};
     for (const Labelled& line : lines) {
       for (const int threads : options_.threads) {
@@ -203,6 +225,9 @@ class Experiments {
                            {"max", thesis->max},
                            {"mean", thesis->mean},
                            {"rms", thesis->rms},
+                           {"max_units", thesis->maxUnits},
+                           {"mean_units", thesis->meanUnits},
+                           {"rms_units", thesis->rmsUnits},
                            {"areas", {thesis->sequentialArea, thesis->parallelArea}},
                            {"covered", thesis->parallelArea / thesis->sequentialArea}};
       list.push_back(std::move(entry));
@@ -246,8 +271,6 @@ class Experiments {
 };
 
 }  // namespace
-
-int processorCount() { return static_cast<int>(std::max(1U, std::thread::hardware_concurrency())); }
 
 Json runThesisExperiments(const ThesisOptions& options) { return Experiments(options).run(); }
 

@@ -8,6 +8,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
+#include "tests/bench/pipeline_measurement.hpp"
 #include "tests/bench/sampling.hpp"
 
 namespace footfall::bench {
@@ -83,6 +84,8 @@ class TimesMeasurement {
 
   static void describe(const RunResult& result, Json& json) {
     json = Json::object();
+    json["triangles"] = result.mesh->triangles.size();
+    json["area"] = planArea(*result.mesh);
     if (result.blocks.empty()) return;
     const BlockReport& block = result.blocks.back();
     json["cells"] = block.cells.size();

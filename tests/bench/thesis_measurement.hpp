@@ -34,9 +34,9 @@ struct Rounds {
 /// Runs the configurations in turn, round after round (every other one backwards), after one round for warming up. One
 /// entry a configuration: `runs`, and as medians `total_ms`, `cpu_ms` (of all threads), `preprocessing_ms`,
 /// `partitioning_ms`, `parallel_ms`, `merging_ms`, `postprocessing_ms`, `overhead_ms` (thesis 5.4), `cut_share`
-/// (partitioning and merging over the total) and `imbalance` (of the last block); `cells`, `made_by` and `reason` of
-/// the last block; `bytes_equal`: whether the export is that of the first configuration with the same filters (none for
-/// that one itself). What cannot run has `fails` instead.
+/// (partitioning and merging over the total) and `imbalance` (of the last block); `triangles` and `area` (in the plan)
+/// of the result; `cells`, `made_by` and `reason` of the last block; `bytes_equal`: whether the export is that of the
+/// first configuration with the same filters (none for that one itself). What cannot run has `fails` instead.
 Json measureTimes(const ThesisSubject& subject, const std::vector<Configuration>& configurations, const Rounds& rounds);
 
 /// `triangles` of the environment, and `peak_bytes` of this process after one run.

@@ -2,6 +2,7 @@
 #include "tests/bench/thesis_pipelines.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include "core/base/number_text.hpp"
@@ -80,6 +81,15 @@ Pipeline ownFilters(const ThesisSubject& subject, const Environment& environment
 
 }  // namespace
 
+std::vector<ThesisSubject> samplesWithPipelines() {
+  std::vector<ThesisSubject> subjects;
+  for (const Subject& sample : sampleSubjects()) {
+    const std::string pipeline = std::filesystem::path(sample.path).replace_extension(".pipeline").string();
+    subjects.push_back({sample, pipeline});
+  }
+  return subjects;
+}
+
 PipelineStep parseStrategy(const std::string& text) {
   const Pipeline pipeline = parsePipeline(text + "\nCollapse\n", "--strategy \"" + text + '"');
   if (pipeline.steps.size() != 2 || pipeline.steps[0].filter->kind != FilterKind::Strategy)
@@ -107,6 +117,10 @@ std::string describeStrategy(const std::string& text) {
 
 Pipeline makeThesisPipeline(const ThesisSubject& subject, const Environment& environment, FilterList filters,
                             const std::string& strategy) {
+  if (filters == FilterList::PrintedSequential || filters == FilterList::PrintedParallel) {
+    const char* name = filters == FilterList::PrintedParallel ? "thesis_parallel" : "thesis_sequential";
+    return readPipelineFile(std::string(FOOTFALL_SOURCE_DIR "/resources/pipelines/") + name + ".pipeline");
+  }
   const Pipeline own = ownFilters(subject, environment);
   const double metresPerUnit = subject.subject.metresPerUnit();
   if (filters == FilterList::ThesisParallel) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
@@ -17,11 +18,16 @@ struct ThesisSubject {
   [[nodiscard]] bool isSample() const { return !pipelineFile.empty(); }
 };
 
-/// The filters of a run, with their order and parameters.
+/// The samples of the repository.
+std::vector<ThesisSubject> samplesWithPipelines();
+
+/// Which filters run, in which order and with which parameters.
 enum class FilterList {
-  Own,               ///< the sample's pipeline file, or the default pipeline
-  ThesisSequential,  ///< the sequential listing of 5.4 with slope, clearance and area of Own, distances in metres
-  ThesisParallel     ///< the parallel listing of 5.4, the same way: it rounds, and simplifies approximately
+  Own,                ///< the sample's pipeline file, or the default pipeline
+  ThesisSequential,   ///< the sequential listing of 5.4 with slope, clearance and area of Own, distances in metres
+  ThesisParallel,     ///< the parallel listing of 5.4, the same way: it rounds, and simplifies approximately
+  PrintedSequential,  ///< the sequential listing with the numbers that are printed there, in the file's units
+  PrintedParallel     ///< the parallel listing as it is printed, with its own strategy
 };
 
 /// A step such as "GridStrategy 3 3". Throws InputError where it is none or no strategy.

@@ -27,6 +27,10 @@ std::string figure(const Json& entry, const char* key) {
 
 std::string failure(const Json& entry) { return "fails: " + entry["fails"].get<std::string>(); }
 
+// t_preprocessing to t_overhead (5.4).
+constexpr std::array kPhases{"preprocessing_ms", "partitioning_ms",   "parallel_ms",
+                             "merging_ms",       "postprocessing_ms", "overhead_ms"};
+
 class ThesisReport {
  public:
   explicit ThesisReport(const Json& results) : results_(results) {}
@@ -37,6 +41,8 @@ class ThesisReport {
                        " runs after one warm-up.\n\n" + failures();
     if (has("due")) text += "### What is due\n\n" + due();
     if (has("strategies")) text += "### By strategy and depth, " + tableThreads() + " (thesis, 5.4)\n\n" + strategies();
+    if (has("printed"))
+      text += "### The listings as they are printed, " + tableThreads() + " (thesis, 5.4)\n\n" + printed();
     if (has("scaling")) text += "### Scaling over threads (thesis, 5.6)\n\n" + scaling();
     if (has("correctness")) text += "### Correctness (thesis, 5.5)\n\n" + correctness();
     return text;
@@ -103,18 +109,15 @@ class ThesisReport {
            "Times in ms; *pre* to *overh.* are the thesis's t_preprocessing, t_partitioning, t_parallel, t_merging, "
            "t_postprocessing and t_overhead. *imbal.*: load imbalance. *MB*: the peak of a process that loads the "
            "environment and runs once. *the thesis's parallel listing*: sorted recursive of depth 3, and it rounds and "
-           "simplifies approximately, which the others do not; its S is over the first row too, as in the thesis. The "
-           "thesis had 32 threads on 16 cores.\n\n";
+           "simplifies approximately, which the others do not; its S is over the first row too, as in the thesis. *the "
+           "thesis*: its own figures for the row above, with 32 threads on 16 cores; ?: scrambled in the text that we "
+           "have.\n\n";
   }
 
   static std::string strategiesOf(const Json& environment) {
     const std::string name = environment["name"];
-    bool hasThesis = false;
-    for (const Json& entry : environment["strategies"]) hasThesis = hasThesis || entry.contains("thesis");
-    std::vector<std::string> header{"cells by", "total", "S",      "pre",   "part.",  "parallel",
-                                    "merge",    "post",  "overh.", "cells", "imbal.", "MB"};
-    if (hasThesis) header.insert(header.end(), {"thesis: total", "thesis: S"});
-    Table table(header);
+    Table table(
+        {"cells by", "total", "S", "pre", "part.", "parallel", "merge", "post", "overh.", "cells", "imbal.", "MB"});
     std::string notes;
     int compared = 0, equal = 0;
     for (const Json& entry : environment["strategies"]) {
@@ -128,8 +131,8 @@ class ThesisReport {
         const std::vector<std::string> cells = strategyFigures(entry);
         row.insert(row.end(), cells.begin(), cells.end());
       }
-      if (hasThesis) addThesis(entry, row);
       table.addRow(row);
+      if (entry.contains("thesis")) table.addRow(thesisRow(entry["thesis"]));
       if (entry.contains("bytes_equal")) {
         ++compared;
         equal += entry["bytes_equal"].get<bool>() ? 1 : 0;
@@ -148,23 +151,48 @@ class ThesisReport {
     std::vector<std::string> cells{figure(entry, "total_ms"),
                                    entry.contains("speed_up") ? ratio(entry["speed_up"]) : ""};
     const bool block = entry.contains("cells");
-    for (const char* phase :
-         {"preprocessing_ms", "partitioning_ms", "parallel_ms", "merging_ms", "postprocessing_ms", "overhead_ms"})
-      cells.push_back(block ? figure(entry, phase) : "");
+    for (const char* phase : kPhases) cells.push_back(block ? figure(entry, phase) : "");
     cells.push_back(block ? grouped(entry["cells"]) : "");
     cells.push_back(block ? ratio(entry["imbalance"]) : "");
     cells.push_back(megabytes(entry["peak_bytes"]));
     return cells;
   }
 
-  static void addThesis(const Json& entry, std::vector<std::string>& row) {
-    if (!entry.contains("thesis")) {
-      row.insert(row.end(), {"", ""});
-      return;
+  static std::vector<std::string> thesisRow(const Json& thesis) {
+    std::vector<std::string> row{"*the thesis*", grouped(thesis["total_ms"]),
+                                 thesis["speed_up"].is_null() ? "-" : ratio(thesis["speed_up"])};
+    for (const char* phase : kPhases) row.push_back(thesis[phase].is_null() ? "?" : grouped(thesis[phase]));
+    row.insert(row.end(), {"", "", ""});
+    return row;
+  }
+
+  [[nodiscard]] std::string printed() const {
+    Table table({"environment", "listing", "total", "S", "pre", "part.", "parallel", "merge", "post", "overh.", "cells",
+                 "triangles left", "area left"},
+                2);
+    std::string notes;
+    for (const Json& environment : results_["environments"]) {
+      if (!environment.contains("printed")) continue;
+      for (const char* which : {"sequential", "parallel"}) {
+        const Json& entry = environment["printed"][which];
+        const std::string name = environment["name"];
+        if (entry.contains("fails")) {
+          notes += name + ", " + which + ' ' + failure(entry) + ". ";
+          continue;
+        }
+        std::vector<std::string> row{name, which, figure(entry, "total_ms"),
+                                     entry.contains("speed_up") ? ratio(entry["speed_up"]) : ""};
+        for (const char* phase : kPhases) row.push_back(entry.contains("cells") ? figure(entry, phase) : "");
+        row.insert(row.end(), {entry.contains("cells") ? grouped(entry["cells"]) : "", grouped(entry["triangles"]),
+                               groupedWithDecimals(entry["area"], 1)});
+        table.addRow(row);
+      }
     }
-    const Json& thesis = entry["thesis"];
-    row.push_back(grouped(thesis["total_ms"]));
-    row.push_back(thesis["speed_up"].is_null() ? "-" : ratio(thesis["speed_up"]));
+    return "The two listings with the numbers that are printed there: 60 degrees, 3, 0.005 and 500, in the unit of "
+           "each "
+           "file, and `SmartRecursiveStrategy 50 3 true`. Our samples are in metres: a clearance of 3 m and areas of "
+           "500 square metres leave less than their own pipelines do. Areas are in the plan.\n\n" +
+           table.text() + (notes.empty() ? "" : notes + "\n\n");
   }
 
   static std::string filtersOf(const Json& environment) {
@@ -206,16 +234,10 @@ class ThesisReport {
     }
     return "Speed-up S and efficiency E over one thread without a block, whose time is in ms. "
            "Filters: the sample's own pipeline, else the default pipeline. This is " +
-           processors() + ": more threads only take turns, and say nothing about scaling" + leftOut() +
-           ". The thesis shows its own scaling as plots, without numbers.\n\n" + table.text() +
-           (notes.empty() ? "" : notes + "\n\n");
-  }
-
-  [[nodiscard]] std::string leftOut() const {
-    std::string text;
-    for (const Json& threads : results_["threads_left_out"])
-      text += (text.empty() ? "" : ", ") + std::to_string(threads.get<int>());
-    return text.empty() ? text : " (left out here: " + text + ')';
+           processors() +
+           ": more threads than that take turns, and say nothing about scaling. The thesis shows its own scaling as "
+           "plots, without numbers.\n\n" +
+           table.text() + (notes.empty() ? "" : notes + "\n\n");
   }
 
   // Counts over all experiments.
@@ -255,14 +277,14 @@ class ThesisReport {
 
   std::string distances() const {
     Table table({"distances, m", "pipelines", "bytes", "d_min", "d_max", "d_mean", "d_rms", "at most", "thesis: d_max",
-                 "thesis: d_mean", "thesis: d_rms"},
+                 "thesis: d_mean", "thesis: d_rms", "table 5: d_max", "d_mean", "d_rms"},
                 3);
     std::string notes;
     forEachCorrectness([&](const std::string& name, const Json& entry, bool first) {
       std::vector<std::string> row{first ? name : "", entry["label"]};
       if (entry.contains("fails")) {
         row.emplace_back("fails");
-        row.insert(row.end(), 8, "");
+        row.insert(row.end(), 11, "");
         notes += name + ", " + entry["label"].get<std::string>() + ' ' + failure(entry) + ". ";
         table.addRow(row);
         return;
@@ -275,12 +297,16 @@ class ThesisReport {
       }
       for (const char* key : {"max", "mean", "rms"})
         row.push_back(hasThesis(entry) ? metres(entry["thesis"][key]) : "");
+      for (const char* key : {"max_units", "mean_units", "rms_units"})
+        row.push_back(hasThesis(entry) ? formatted("%.6f", entry["thesis"][key]) : "");
       table.addRow(row);
     });
     return table.text() + notes +
            "*d_...*: sampled at the vertices of the sequential output, as in the thesis. *at most*: no point of that "
            "output is farther from the parallel one. The thesis's figures (its table 6, where every d_min is 0) are of "
-           "its own environments; its villa's mean and rms contradict its table 5.\n\n";
+           "its own environments; its table 5 has them in units: of its villa 1 is 0.0235 m, of its arena 0.5 m, of "
+           "its "
+           "house 1 m. Its villa's mean and rms contradict table 5.\n\n";
   }
 
   static bool hasThesis(const Json& entry) { return entry.contains("thesis") && entry["label"] != "same filters"; }
