@@ -1020,16 +1020,8 @@
         <translation>%1 Verbindungen über Stufen</translation>
     </message>
     <message>
-        <source>%1; undecided, and not linked: %2</source>
-        <translation>%1; unentschieden und nicht verbunden: %2</translation>
-    </message>
-    <message>
         <source>steps: its comments count %1, but it has %2</source>
         <translation>Stufen: die Kommentare nennen %1, aber es sind %2</translation>
-    </message>
-    <message>
-        <source>StepFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
-        <translation>StepFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
     </message>
     <message>
         <source>a number</source>
@@ -1180,14 +1172,6 @@
         <translation>%1 würde die Sprünge des DropFilters in %2 verlieren; stellen Sie ihn davor</translation>
     </message>
     <message>
-        <source>DropFilter asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
-        <translation>DropFilter fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; stellen Sie einen VerticalClearanceFilter davor</translation>
-    </message>
-    <message>
-        <source>RadiusFilter with a distance of its own to ledges asks how high an agent is, and no filter before it says so; put a VerticalClearanceFilter before it</source>
-        <translation>RadiusFilter mit eigenem Abstand zu Kanten fragt, wie hoch ein Agent ist, und kein Filter davor sagt es; einen VerticalClearanceFilter davor setzen</translation>
-    </message>
-    <message>
         <source>agents: the gap of &apos;%1&apos; is below 0; give 0 or more</source>
         <translation>Agenten: Die Lücke von „%1“ ist kleiner als 0; geben Sie 0 oder mehr an</translation>
     </message>
@@ -1292,10 +1276,6 @@
         <translation>alles, in Metern; Agent, Flächen und Verbindungen als Extras</translation>
     </message>
     <message>
-        <source>doubles</source>
-        <translation>doppelte Genauigkeit</translation>
-    </message>
-    <message>
         <source>glTF, binary: metres, Y up</source>
         <translation>glTF, binär: Meter, Y nach oben</translation>
     </message>
@@ -1308,20 +1288,12 @@
         <translation>wer wen erreicht: konvexe Polygone, Höhen, Stufen, Sprünge nach unten, der Agent; Ebenen als Areas</translation>
     </message>
     <message>
-        <source>doubles; more than 58 layers; placed obstacles</source>
-        <translation>doppelte Genauigkeit; mehr als 58 Ebenen; platzierte Hindernisse</translation>
-    </message>
-    <message>
         <source>Godot: NavigationMesh, metres, Y up</source>
         <translation>Godot: NavigationMesh, Meter, Y nach oben</translation>
     </message>
     <message>
         <source>convex polygons, steps as polygons, the agent</source>
         <translation>konvexe Polygone, Stufen als Polygone, der Agent</translation>
-    </message>
-    <message>
-        <source>doubles, drops, layers, placed obstacles; what is smaller than a cell of Godot&apos;s map</source>
-        <translation>doppelte Genauigkeit, Sprünge nach unten, Ebenen, platzierte Hindernisse; was kleiner als eine Zelle von Godots Karte ist</translation>
     </message>
     <message>
         <source>%1: cannot be written in the format &quot;%2&quot;; give a name that ends in %3</source>
@@ -1794,6 +1766,30 @@
     <message>
         <source>%1: has a run that did not end, of another environment, other filters or another bound; remove the folder, or give a new name</source>
         <translation>%1: enthält einen Lauf, der nicht zu Ende ging, mit einer anderen Umgebung, anderen Filtern oder einer anderen Grenze; entfernen Sie den Ordner, oder geben Sie einen neuen Namen an</translation>
+    </message>
+    <message>
+        <source>%1 (%2 more could not be verified)</source>
+        <translation>%1 (%2 weitere ließen sich nicht nachweisen)</translation>
+    </message>
+    <message>
+        <source>digits beyond the seventh</source>
+        <translation>Stellen nach der siebten</translation>
+    </message>
+    <message>
+        <source>digits beyond the seventh; more than 58 layers; placed obstacles</source>
+        <translation>Stellen nach der siebten; mehr als 58 Ebenen; gesetzte Hindernisse</translation>
+    </message>
+    <message>
+        <source>digits beyond the seventh, drops, layers, placed obstacles; what is smaller than a cell of Godot&apos;s map</source>
+        <translation>Stellen nach der siebten, Sprünge, Ebenen, gesetzte Hindernisse; was kleiner ist als eine Zelle von Godots Karte</translation>
+    </message>
+    <message>
+        <source>%1 needs %2 before it</source>
+        <translation>%1 braucht davor: %2</translation>
+    </message>
+    <message>
+        <source>%1 with a distance of its own to ledges needs %2 before it</source>
+        <translation>%1 mit eigenem Abstand zu Kanten braucht davor: %2</translation>
     </message>
     <message>
         <source>%1: this file is in the folder of the tiles; move it, or choose another folder for the tiles</source>
@@ -2954,6 +2950,30 @@
         <source>Rank %1, thread %2</source>
         <translation>Rang %1, Thread %2</translation>
     </message>
+    <message>
+        <source>already inside a parallel block</source>
+        <translation>schon in einem parallelen Block</translation>
+    </message>
+    <message>
+        <source>no parallel block to end here</source>
+        <translation>hier endet kein paralleler Block</translation>
+    </message>
+    <message>
+        <source>not inside a parallel block: it sees across cells</source>
+        <translation>nicht in einem parallelen Block: er sieht über Zellen hinweg</translation>
+    </message>
+    <message>
+        <source>needs Vertical clearance before it</source>
+        <translation>braucht davor die lichte Höhe</translation>
+    </message>
+    <message>
+        <source>the parallel block has an end already</source>
+        <translation>der parallele Block hat schon ein Ende</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>übersprungen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::AgentModel</name>
@@ -3145,10 +3165,6 @@
         <translation>Agenten berechnet</translation>
     </message>
     <message>
-        <source>As the &amp;filters are</source>
-        <translation>Wie die &amp;Filter sind</translation>
-    </message>
-    <message>
         <source>No filter &apos;%1&apos; is on: that size of the agents has no effect.</source>
         <translation>Kein Filter „%1“ ist an: Dieses Maß der Agenten wirkt nicht.</translation>
     </message>
@@ -3176,6 +3192,10 @@
     <message>
         <source>An agent has the sizes that the filters follow: height, slope, step, gap, radius and drop. Add one to compare what each can reach.</source>
         <translation>Ein Agent hat die Maße, denen die Filter folgen: Höhe, Neigung, Stufe, Lücke, Radius und Sprung. Fügen Sie einen hinzu, um zu vergleichen, was jeder erreicht.</translation>
+    </message>
+    <message>
+        <source>Sizes of the &amp;filters</source>
+        <translation>Maße der &amp;Filter</translation>
     </message>
 </context>
 <context>
@@ -3274,6 +3294,22 @@
     <message>
         <source>Rank %1 was busy for %2</source>
         <translation>Rang %1 war %2 lang beschäftigt</translation>
+    </message>
+    <message>
+        <source>other steps</source>
+        <translation>andere Schritte</translation>
+    </message>
+    <message>
+        <source>waiting for work</source>
+        <translation>Warten auf Arbeit</translation>
+    </message>
+    <message>
+        <source>waiting for a serial step</source>
+        <translation>Warten auf einen seriellen Schritt</translation>
+    </message>
+    <message>
+        <source>other programs</source>
+        <translation>andere Programme</translation>
     </message>
 </context>
 <context>
@@ -3486,6 +3522,14 @@
         <source>Rank</source>
         <translation>Rang</translation>
     </message>
+    <message>
+        <source>More: darkest; at most %1</source>
+        <translation>Mehr: am dunkelsten; höchstens %1</translation>
+    </message>
+    <message>
+        <source>Nothing has run yet: an estimate stands in</source>
+        <translation>Noch ist nichts gelaufen: gezeigt wird eine Schätzung</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CellModel</name>
@@ -3600,6 +3644,18 @@
         <source>Run there again</source>
         <translation>Wieder dort rechnen</translation>
     </message>
+    <message>
+        <source>Open an environment first.</source>
+        <translation>Öffnen Sie zuerst eine Umgebung.</translation>
+    </message>
+    <message>
+        <source>Only runs of this program can be measured; choose it under Run on.</source>
+        <translation>Nur Läufe dieses Programms lassen sich messen; wählen Sie es unter „Rechnen auf“.</translation>
+    </message>
+    <message>
+        <source>A run is under way; measure when it has finished.</source>
+        <translation>Ein Lauf ist im Gang; messen Sie, wenn er fertig ist.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CommandPalette</name>
@@ -3632,8 +3688,8 @@
         <translation>%1, jetzt nicht verfügbar</translation>
     </message>
     <message>
-        <source>Nothing is called so</source>
-        <translation>Nichts heißt so</translation>
+        <source>No command found</source>
+        <translation>Kein Befehl gefunden</translation>
     </message>
 </context>
 <context>
@@ -3967,6 +4023,13 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::DrawingNote</name>
+    <message>
+        <source>Drawing the result</source>
+        <translation>Das Ergebnis wird gezeichnet</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::EditorWindow</name>
     <message>
         <source>Environment</source>
@@ -4019,14 +4082,6 @@
     <message>
         <source>Open &amp;recent</source>
         <translation>&amp;Zuletzt geöffnet</translation>
-    </message>
-    <message>
-        <source>&amp;Save session...</source>
-        <translation>Sitzung &amp;speichern...</translation>
-    </message>
-    <message>
-        <source>Save environment, filters and view</source>
-        <translation>Umgebung, Filter und Ansicht speichern</translation>
     </message>
     <message>
         <source>Save session</source>
@@ -4259,6 +4314,42 @@
     <message>
         <source>Run o&amp;n</source>
         <translation>Rechnen a&amp;uf</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>Sitzung &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save environment, filters and view to the session&apos;s file</source>
+        <translation>Umgebung, Filter und Ansicht in die Datei der Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as...</source>
+        <translation>Sitzung speichern un&amp;ter...</translation>
+    </message>
+    <message>
+        <source>Save environment, filters and view to another file</source>
+        <translation>Umgebung, Filter und Ansicht in eine andere Datei speichern</translation>
+    </message>
+    <message>
+        <source>Copy s&amp;creenshot</source>
+        <translation>Bildschirm&amp;foto kopieren</translation>
+    </message>
+    <message>
+        <source>Copy what the view shows as a picture, without panels</source>
+        <translation>Was die Ansicht zeigt, als Bild kopieren, ohne Tafeln</translation>
+    </message>
+    <message>
+        <source>Copied a picture of the view</source>
+        <translation>Ein Bild der Ansicht ist kopiert</translation>
+    </message>
+    <message>
+        <source>&amp;Preferences...</source>
+        <translation>&amp;Einstellungen...</translation>
+    </message>
+    <message>
+        <source>Units, threads, theme, language, size of the interface, and keys</source>
+        <translation>Einheiten, Threads, Darstellung, Sprache, Größe der Oberfläche und Tasten</translation>
     </message>
 </context>
 <context>
@@ -4786,6 +4877,10 @@
         <source>Use default values of %1</source>
         <translation>Vorgaben von %1 verwenden</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::FilterHelp</name>
@@ -4889,10 +4984,6 @@
         <translation>+ Filter hinzufügen</translation>
     </message>
     <message>
-        <source>Add a filter at the end of the list</source>
-        <translation>Einen Filter ans Ende der Liste setzen</translation>
-    </message>
-    <message>
         <source>Presets</source>
         <translation>Vorlagen</translation>
     </message>
@@ -4907,6 +4998,22 @@
     <message>
         <source>On: each edit runs at once, or when you stop where runs take long. Off: press F5 to run.</source>
         <translation>An: Jede Änderung läuft sofort, oder wenn Sie innehalten, wo Läufe lange dauern. Aus: F5 führt aus.</translation>
+    </message>
+    <message>
+        <source>Add a filter behind the selected one, or at the end of the list</source>
+        <translation>Einen Filter hinter dem ausgewählten oder am Ende der Liste hinzufügen</translation>
+    </message>
+    <message>
+        <source>Behind %1</source>
+        <translation>Hinter %1</translation>
+    </message>
+    <message>
+        <source>At the end of the list</source>
+        <translation>Am Ende der Liste</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
     </message>
 </context>
 <context>
@@ -4987,6 +5094,29 @@
         <source>and %1 more</source>
         <translation>und noch %1</translation>
     </message>
+    <message>
+        <source>Switch this filter off and on (Space)</source>
+        <translation>Diesen Filter aus- und einschalten (Leertaste)</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n seeds</source>
+        <translation>
+            <numerusform>%n Startpunkt</numerusform>
+            <numerusform>%n Startpunkte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Switch %1 on</source>
+        <translation>%1 einschalten</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>needs %1</source>
+        <translation>braucht: %1</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::FlyTool</name>
@@ -5040,6 +5170,35 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
     <message>
         <source>&lt;p&gt;Click on a filter, or go to it with Tab: this tells what it does, what its values mean and what it needs.&lt;/p&gt;&lt;p&gt;F1 lists all keys. Ctrl+K finds every command by a few letters.&lt;/p&gt;</source>
         <translation>&lt;p&gt;Klicken Sie auf einen Filter, oder gehen Sie mit Tab hin: Hier steht, was er tut, was seine Werte bedeuten und was er braucht.&lt;/p&gt;&lt;p&gt;F1 zeigt alle Tasten. Strg+K findet jeden Befehl mit wenigen Buchstaben.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::HistogramPlot</name>
+    <message>
+        <source>How many cells took how long</source>
+        <translation>Wie viele Zellen wie lange dauerten</translation>
+    </message>
+    <message>
+        <source>time of a cell</source>
+        <translation>Zeit einer Zelle</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s): median %1, longest %2 (cell %3)</source>
+        <translation>
+            <numerusform>%n Zelle: Median %1, längste %2 (Zelle %3)</numerusform>
+            <numerusform>%n Zellen: Median %1, längste %2 (Zelle %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) took %1 to %2</source>
+        <translation>
+            <numerusform>%n Zelle dauerte %1 bis %2</numerusform>
+            <numerusform>%n Zellen dauerten %1 bis %2</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5180,10 +5339,6 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>%1 (geraten)</translation>
     </message>
     <message>
-        <source>(says the file)</source>
-        <translation>(laut Datei)</translation>
-    </message>
-    <message>
         <source>1 unit of the file is %1</source>
         <translation>1 Einheit der Datei ist %1</translation>
     </message>
@@ -5196,12 +5351,16 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>%1 × %2 × %3 %4 (%5)</translation>
     </message>
     <message>
-        <source>%1 (says the file)</source>
-        <translation>%1 (laut Datei)</translation>
-    </message>
-    <message>
         <source>Part: %1 of %2 triangles</source>
         <translation>Teil: %1 von %2 Dreiecken</translation>
+    </message>
+    <message>
+        <source>%1 (from the file)</source>
+        <translation>%1 (aus der Datei)</translation>
+    </message>
+    <message>
+        <source>(from the file)</source>
+        <translation>(aus der Datei)</translation>
     </message>
 </context>
 <context>
@@ -5511,6 +5670,10 @@ The handles of Height show a single storey.</source>
         <translation>Dächer und Außenwände sind offen: %1 schließt sie.
 Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     </message>
+    <message>
+        <source>Layer %1 of %2</source>
+        <translation>Ebene %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::LevelOpening</name>
@@ -5652,10 +5815,6 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Der ganze Lauf: %1</translation>
     </message>
     <message>
-        <source>hatched: idle</source>
-        <translation>schraffiert: untätig</translation>
-    </message>
-    <message>
         <source>Filters below the cells: </source>
         <translation>Filter unter den Zellen: </translation>
     </message>
@@ -5697,6 +5856,50 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
             <numerusform>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf %n Rang</numerusform>
             <numerusform>, Beschleunigung &lt;b&gt;%1&lt;/b&gt; auf %n Rängen</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Where the time of all threads went</source>
+        <translation>Wo die Zeit aller Threads geblieben ist</translation>
+    </message>
+    <message>
+        <source>Threads</source>
+        <translation>Threads</translation>
+    </message>
+    <message>
+        <source>Cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>Phases</source>
+        <translation>Phasen</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>from the cache: figures of the run that computed it</source>
+        <translation>aus dem Cache: Zahlen des Laufs, der ihn berechnet hat</translation>
+    </message>
+    <message>
+        <source>measured: the median run</source>
+        <translation>gemessen: der mittlere Lauf</translation>
+    </message>
+    <message>
+        <source>No cell has run yet.</source>
+        <translation>Noch ist keine Zelle gelaufen.</translation>
+    </message>
+    <message>
+        <source>The time of all threads from the beginning of the run to its end: %1</source>
+        <translation>Die Zeit aller Threads vom Anfang des Laufs bis zu seinem Ende: %1</translation>
+    </message>
+    <message>
+        <source>hatched: waiting for work</source>
+        <translation>schraffiert: Warten auf Arbeit</translation>
+    </message>
+    <message>
+        <source>dotted: waiting for a serial step</source>
+        <translation>gepunktet: Warten auf einen seriellen Schritt</translation>
     </message>
 </context>
 <context>
@@ -5776,6 +5979,84 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <source>Distance, height and slope between places that you click</source>
         <translation>Abstand, Höhe und Neigung zwischen Stellen, die Sie anklicken</translation>
     </message>
+    <message>
+        <source>Click two places whose distance you know, and type it</source>
+        <translation>Zwei Stellen anklicken, deren Abstand bekannt ist, und ihn eingeben</translation>
+    </message>
+    <message>
+        <source>Scale b&amp;y reference...</source>
+        <translation>Maßstab nach Ver&amp;gleich...</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::MeasurePage</name>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>kleinster</translation>
+    </message>
+    <message>
+        <source>most</source>
+        <translation>größter</translation>
+    </message>
+    <message>
+        <source>whole run</source>
+        <translation>ganzer Lauf</translation>
+    </message>
+    <message>
+        <source>imbalance</source>
+        <translation>Ungleichgewicht</translation>
+    </message>
+    <message>
+        <source>processors in use</source>
+        <translation>genutzte Prozessoren</translation>
+    </message>
+    <message>
+        <source>taken by other programs</source>
+        <translation>von anderen Programmen belegt</translation>
+    </message>
+    <message>
+        <source> runs</source>
+        <translation> Läufe</translation>
+    </message>
+    <message>
+        <source>How many runs</source>
+        <translation>Wie viele Läufe</translation>
+    </message>
+    <message>
+        <source>So many runs, one after the other</source>
+        <translation>So viele Läufe nacheinander</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Run %1 of %2 is under way.</source>
+        <translation>Lauf %1 von %2 ist im Gang.</translation>
+    </message>
+    <message>
+        <source>Measure again</source>
+        <translation>Neu messen</translation>
+    </message>
+    <message>
+        <source>Run the whole pipeline anew, several times, and take nothing from caches</source>
+        <translation>Die ganze Pipeline mehrmals neu rechnen und nichts aus Caches nehmen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s), nothing from caches; the timeline shows the median one.</source>
+        <translation>
+            <numerusform>%n Lauf, nichts aus Caches; die Zeitleiste zeigt ihn.</numerusform>
+            <numerusform>%n Läufe, nichts aus Caches; die Zeitleiste zeigt den mittleren.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Runs the whole pipeline anew, without caches and previews. An edit stops it.</source>
+        <translation>Rechnet die ganze Pipeline neu, ohne Caches und Vorschauen. Eine Änderung hält es an.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::MeasurePanel</name>
@@ -5848,6 +6129,22 @@ bis %2</translation>
     <message>
         <source>Height</source>
         <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Set scale...</source>
+        <translation>Maßstab setzen...</translation>
+    </message>
+    <message>
+        <source>Type how long the last piece is in metres; the scale of the level follows</source>
+        <translation>Eingeben, wie viele Meter das letzte Stück lang ist; der Maßstab der Umgebung folgt daraus</translation>
+    </message>
+    <message>
+        <source>Scale by reference</source>
+        <translation>Maßstab nach Vergleich</translation>
+    </message>
+    <message>
+        <source>The last piece is %1 of the file&apos;s units long. How many metres is that?</source>
+        <translation>Das letzte Stück ist %1 Einheiten der Datei lang. Wie viele Meter sind das?</translation>
     </message>
 </context>
 <context>
@@ -5928,10 +6225,6 @@ Grundriss %2, Höhe %3
     <message>
         <source>degrees</source>
         <translation>Grad</translation>
-    </message>
-    <message>
-        <source>count</source>
-        <translation>Anzahl</translation>
     </message>
     <message>
         <source>not a number; leave out what stands between thousands</source>
@@ -6749,6 +7042,97 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::Preferences</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Lengths in</source>
+        <translation>&amp;Längen in</translation>
+    </message>
+    <message>
+        <source>Metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>Millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>Feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>The file&apos;s units</source>
+        <translation>Einheiten der Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Threads of runs</source>
+        <translation>&amp;Threads der Läufe</translation>
+    </message>
+    <message>
+        <source>T&amp;heme</source>
+        <translation>&amp;Darstellung</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>L&amp;anguage (from the next start on)</source>
+        <translation>&amp;Sprache (ab dem nächsten Start)</translation>
+    </message>
+    <message>
+        <source>&amp;Size of the interface (from the next start on)</source>
+        <translation>&amp;Größe der Oberfläche (ab dem nächsten Start)</translation>
+    </message>
+    <message>
+        <source>Commands and their keys</source>
+        <translation>Befehle und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Press the keys that the selected command is to have</source>
+        <translation>Die Tasten drücken, die der ausgewählte Befehl haben soll</translation>
+    </message>
+    <message>
+        <source>&amp;Usual keys</source>
+        <translation>&amp;Übliche Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;No keys</source>
+        <translation>&amp;Keine Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Reset all</source>
+        <translation>Alle &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>%1 already belongs to %2; take it away there first.</source>
+        <translation>%1 gehört schon zu „%2“; nehmen Sie die Taste erst dort weg.</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::PresetStore</name>
     <message>
         <source>a preset &apos;%1&apos; is there already; choose another name</source>
@@ -7237,6 +7621,18 @@ Material: %2</translation>
         <source>%1 m long: is 1 unit = %2?</source>
         <translation>%1 m lang: Ist 1 Einheit = %2?</translation>
     </message>
+    <message>
+        <source>Most steps are %1 high: is 1 unit = %2?</source>
+        <translation>Die meisten Stufen sind %1 hoch: ist 1 Einheit = %2?</translation>
+    </message>
+    <message>
+        <source>Doorways are %1 high: is 1 unit = %2?</source>
+        <translation>Türen sind %1 hoch: ist 1 Einheit = %2?</translation>
+    </message>
+    <message>
+        <source>Most walls are %1 high: is 1 unit = %2?</source>
+        <translation>Die meisten Wände sind %1 hoch: ist 1 Einheit = %2?</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::SeedFeature</name>
@@ -7367,6 +7763,18 @@ Material: %2</translation>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Footfall ended unexpectedly, and %1 sessions were not closed. Restore %2 (last change %3)?</source>
+        <translation>Footfall wurde unerwartet beendet, und %1 Sitzungen waren offen. %2 wiederherstellen (letzte Änderung %3)?</translation>
+    </message>
+    <message>
+        <source>Others...</source>
+        <translation>Andere...</translation>
+    </message>
+    <message>
+        <source>%1, last change %2</source>
+        <translation>%1, letzte Änderung %2</translation>
     </message>
 </context>
 <context>
@@ -7531,16 +7939,16 @@ Material: %2</translation>
         <source>List the polygons of the file that were left out, and why</source>
         <translation>Die Polygone der Datei aufführen, die weggelassen wurden, und warum</translation>
     </message>
-    <message numerus="yes">
-        <source>%n polygons were left out: list</source>
-        <translation>
-            <numerusform>%n Polygon wurde weggelassen: Liste</numerusform>
-            <numerusform>%n Polygone wurden weggelassen: Liste</numerusform>
-        </translation>
-    </message>
     <message>
         <source>This polygon has no corners: it is nowhere in the level.</source>
         <translation>Dieses Polygon hat keine Ecken: Es liegt nirgends im Level.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n polygons left out: show them</source>
+        <translation>
+            <numerusform>%n Polygon ausgelassen: zeigen</numerusform>
+            <numerusform>%n Polygone ausgelassen: zeigen</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -7663,6 +8071,18 @@ Material: %2</translation>
         <source>merging</source>
         <translation>Zusammenfügen</translation>
     </message>
+    <message>
+        <source>first state</source>
+        <translation>erster Zustand</translation>
+    </message>
+    <message>
+        <source>between the steps</source>
+        <translation>zwischen den Schritten</translation>
+    </message>
+    <message>
+        <source>navigation mesh</source>
+        <translation>Navigationsnetz</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::TimelinePlot</name>
@@ -7697,6 +8117,26 @@ Material: %2</translation>
     <message>
         <source>Thread %1 was idle for %2</source>
         <translation>Thread %1 war %2 lang untätig</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Andere</translation>
+    </message>
+    <message>
+        <source>It waited for work: other threads had the last cells.</source>
+        <translation>Er wartete auf Arbeit: andere Threads hatten die letzten Zellen.</translation>
+    </message>
+    <message>
+        <source>Busy threads: %1 of %2</source>
+        <translation>Beschäftigte Threads: %1 von %2</translation>
+    </message>
+    <message>
+        <source>The others waited for it: %1 of thread time</source>
+        <translation>Die anderen warteten darauf: %1 Threadzeit</translation>
+    </message>
+    <message>
+        <source>Other programs had the processors for %1 of the thread time that this part could have used</source>
+        <translation>Andere Programme hatten die Prozessoren für %1 der Threadzeit, die dieser Teil hätte nutzen können</translation>
     </message>
 </context>
 <context>

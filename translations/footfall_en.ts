@@ -53,12 +53,49 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::FilterRow</name>
+    <message numerus="yes">
+        <source>%n seeds</source>
+        <translation>
+            <numerusform>%n seed</numerusform>
+            <numerusform>%n seeds</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::HistogramPlot</name>
+    <message numerus="yes">
+        <source>%n cell(s): median %1, longest %2 (cell %3)</source>
+        <translation>
+            <numerusform>%n cell: median %1, longest %2 (cell %3)</numerusform>
+            <numerusform>%n cells: median %1, longest %2 (cell %3)</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n cell(s) took %1 to %2</source>
+        <translation>
+            <numerusform>%n cell took %1 to %2</numerusform>
+            <numerusform>%n cells took %1 to %2</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::LoadPanel</name>
     <message numerus="yes">
         <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank(s)</source>
         <translation>
             <numerusform>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank</numerusform>
             <numerusform>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n ranks</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::MeasurePage</name>
+    <message numerus="yes">
+        <source>%n run(s), nothing from caches; the timeline shows the median one.</source>
+        <translation>
+            <numerusform>%n run, nothing from caches; the timeline shows it.</numerusform>
+            <numerusform>%n runs, nothing from caches; the timeline shows the median one.</numerusform>
         </translation>
     </message>
 </context>
@@ -123,10 +160,10 @@
 <context>
     <name>footfall::ui::SkippedFeature</name>
     <message numerus="yes">
-        <source>%n polygons were left out: list</source>
+        <source>%n polygons left out: show them</source>
         <translation>
-            <numerusform>%n polygon was left out: list</numerusform>
-            <numerusform>%n polygons were left out: list</numerusform>
+            <numerusform>%n polygon left out: show it</numerusform>
+            <numerusform>%n polygons left out: show them</numerusform>
         </translation>
     </message>
 </context>

@@ -10,11 +10,28 @@ Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
   return {FOOTFALL_TEXT("step %1 (%2)"), step + 1, Text(Pattern{pipeline.steps[step].filter->label.data()})};
 }
 
+bool needsClearance(const PipelineStep& step) {
+  switch (step.filter->type) {
+    case FilterType::Step:
+    case FilterType::Drop:
+      return true;
+    case FilterType::Radius:
+      return step.values[0] != step.values[1];
+    default:
+      return false;
+  }
+}
+
 namespace {
 
 // Those that keep a drop's edge and its landing, or take both away.
 bool keepsDrops(FilterType type) {
   return type == FilterType::Drop || type == FilterType::Reachable || type == FilterType::Area;
+}
+
+StructureError missingClearance(const Pipeline& pipeline, std::size_t step) {
+  return {step, Text(FOOTFALL_TEXT("%1 needs %2 before it"), pipeline.steps[step].filter->name,
+                     filterDescriptor(FilterType::VerticalClearance).name)};
 }
 
 std::optional<StructureError> findDropError(const Pipeline& pipeline) {
@@ -30,10 +47,7 @@ std::optional<StructureError> findDropError(const Pipeline& pipeline) {
                                  step.filter->name, placeOfStep(pipeline, *dropped))};
     }
     if (step.filter->type != FilterType::Drop) continue;
-    if (!hasClearance) {
-      return StructureError{i, FOOTFALL_TEXT("DropFilter asks how high an agent is, and no filter before it says so; "
-                                             "put a VerticalClearanceFilter before it")};
-    }
+    if (!hasClearance) return missingClearance(pipeline, i);
     dropped = i;
   }
   return std::nullopt;
@@ -50,16 +64,12 @@ std::optional<StructureError> findStepError(const Pipeline& pipeline) {
                                                   "one in the editor"),
                                     step.filter->name)};
     }
-    if (step.filter->type == FilterType::Radius && step.values[0] != step.values[1] && !hasClearance) {
-      return StructureError{i, FOOTFALL_TEXT("RadiusFilter with a distance of its own to ledges asks how high an agent "
-                                             "is, and no filter before it says so; put a VerticalClearanceFilter "
-                                             "before it")};
+    const bool ownLedges = step.filter->type == FilterType::Radius && needsClearance(step);
+    if (ownLedges && !hasClearance) {
+      return StructureError{i, Text(FOOTFALL_TEXT("%1 with a distance of its own to ledges needs %2 before it"),
+                                    step.filter->name, filterDescriptor(FilterType::VerticalClearance).name)};
     }
-    if (step.filter->type != FilterType::Step) continue;
-    if (!hasClearance) {
-      return StructureError{i, FOOTFALL_TEXT("StepFilter asks how high an agent is, and no filter before it says so; "
-                                             "put a VerticalClearanceFilter before it")};
-    }
+    if (step.filter->type == FilterType::Step && !hasClearance) return missingClearance(pipeline, i);
   }
   return std::nullopt;
 }

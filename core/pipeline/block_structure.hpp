@@ -15,6 +15,9 @@ struct StructureError {
   Text message;          ///< the problem and the advice, without the place
 };
 
+/// Whether the step takes the height of agents from a Vertical clearance filter that must run before it.
+bool needsClearance(const PipelineStep& step);
+
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a
 /// Collapse, a strategy inside a block, or a global filter inside a block. Disabled steps do not count.
 std::optional<StructureError> findStructureError(const Pipeline& pipeline);

@@ -84,6 +84,13 @@ inline bool openZUp(EditorWindow& window, const QString& path, const char* pipel
   return waitUntilIdle(window) && window.controller().finishedRun() != nullptr;
 }
 
+/// Opens a row of the filter list and returns the field of one of its values.
+inline NumberField* openField(EditorWindow& window, std::size_t row, std::size_t value = 0) {
+  FilterRow* found = window.filterList().rows()[row];
+  QTest::mouseClick(found->nameLabel(), Qt::LeftButton);
+  return qobject_cast<NumberField*>(found->field(value));
+}
+
 inline QStringList filterNames(EditorWindow& window) {
   QStringList names;
   for (const FilterEntry& entry : window.document().filters()) {

@@ -5,10 +5,18 @@
 #include <string>
 
 #include "footfall/errors.hpp"
+#include "ui/base/filter_text.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {
+
+std::string translated(const Text& text);
+
+// Files and the command line have the names of filters, with their values or without; the editor shows their labels.
+std::string translatedArgument(const Text& text) {
+  return text.isPattern() || text.isCount() ? translated(text) : strategyText(text.pattern()).toStdString();
+}
 
 std::string translated(const Text& text) {
   if (text.isCount()) return countText(std::stoull(text.pattern())).toStdString();
@@ -17,7 +25,8 @@ std::string translated(const Text& text) {
   QString own = QCoreApplication::translate("Core", english);
   if (own == QLatin1String(english)) own = QCoreApplication::translate("Filter", english);  // labels of filters
   const std::string pattern = own.toStdString();
-  return fillPlaces(pattern, text.arguments().size(), [&](std::size_t i) { return translated(text.arguments()[i]); });
+  return fillPlaces(pattern, text.arguments().size(),
+                    [&](std::size_t i) { return translatedArgument(text.arguments()[i]); });
 }
 
 }  // namespace

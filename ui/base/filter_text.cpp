@@ -76,6 +76,17 @@ QString filterText(std::string_view text) {
   return QCoreApplication::translate("Filter", std::string(text).c_str());
 }
 
+QString filterName(std::string_view name) {
+  const FilterDescriptor* filter = findFilter(name);
+  return filter ? filterText(filter->label) : QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+}
+
+QString strategyText(std::string_view line) {
+  const std::size_t end = std::min(line.find(' '), line.size());
+  return filterName(line.substr(0, end)) +
+         QString::fromUtf8(line.data() + end, static_cast<qsizetype>(line.size() - end));
+}
+
 QString filterHelp(const FilterDescriptor& filter, int emphasised) {
   QString text = QStringLiteral("<h3>%1</h3><p>%2</p>").arg(escaped(filter.label), escaped(filter.help));
   for (std::size_t i = 0; i < filter.parameters.size(); ++i) {

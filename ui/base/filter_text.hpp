@@ -13,6 +13,13 @@ namespace footfall::ui {
 /// to the translators through translations/descriptor_texts.cpp, which is generated.
 QString filterText(std::string_view text);
 
+/// The label of the filter that has this name; the name where no filter has it.
+QString filterName(std::string_view name);
+
+/// A line of a pipeline that makes cells, e.g. "HeightAwareStrategy 50 2 false", with the label of its filter:
+/// "Height-aware 50 2 false".
+QString strategyText(std::string_view line);
+
 /// The whole descriptor as rich text for the help panel; the parameter at `emphasised` stands out (-1: none).
 QString filterHelp(const FilterDescriptor& filter, int emphasised = -1);
 

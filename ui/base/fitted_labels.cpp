@@ -3,8 +3,6 @@
 
 #include <QHelpEvent>
 #include <QPainter>
-#include <QStyleOptionButton>
-#include <QStylePainter>
 #include <QTextLayout>
 #include <QToolTip>
 #include <algorithm>
@@ -92,26 +90,6 @@ void WrappedLabel::paintEvent(QPaintEvent* event) {
   if ((alignment() & Qt::AlignVCenter) != 0)
     top.ry() += std::max(0.0, (box.height() - layOut(text(), font(), box.width(), [](const QTextLayout&) {})) / 2);
   layOut(text(), font(), box.width(), [&](const QTextLayout& layout) { layout.draw(&painter, top); });
-}
-
-ElidedCheckBox::ElidedCheckBox(const QString& text, QWidget* parent) : QCheckBox(text, parent) {
-  setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);  // a check box does not shrink by itself
-}
-
-QSize ElidedCheckBox::minimumSizeHint() const {
-  const QSize whole = QCheckBox::minimumSizeHint();
-  const int text = fontMetrics().horizontalAdvance(this->text());
-  return {whole.width() - std::max(0, text - leastWidth(*this)), whole.height()};
-}
-
-void ElidedCheckBox::paintEvent(QPaintEvent* event) {
-  Q_UNUSED(event);
-  QStylePainter painter(this);
-  QStyleOptionButton option;
-  initStyleOption(&option);
-  const QRect box = style()->subElementRect(QStyle::SE_CheckBoxContents, &option, this);
-  option.text = fontMetrics().elidedText(option.text, Qt::ElideRight, box.width());
-  painter.drawControl(QStyle::CE_CheckBox, option);
 }
 
 }  // namespace footfall::ui

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCheckBox>
 #include <QLabel>
 
 namespace footfall::ui {
@@ -31,19 +30,6 @@ class WrappedLabel : public QLabel {
 
   [[nodiscard]] QSize minimumSizeHint() const override;
   [[nodiscard]] int heightForWidth(int width) const override;
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-};
-
-/// A check box whose text ends in dots where it does not fit.
-class ElidedCheckBox : public QCheckBox {
-  Q_OBJECT
-
- public:
-  explicit ElidedCheckBox(const QString& text, QWidget* parent = nullptr);
-
-  [[nodiscard]] QSize minimumSizeHint() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

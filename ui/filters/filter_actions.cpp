@@ -13,21 +13,30 @@
 #include "ui/base/icon.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/edit_text.hpp"
+#include "ui/filters/filter_places.hpp"
 
 namespace footfall::ui {
-namespace {}  // namespace
-
-void fillFilterMenu(QMenu& menu, const std::function<void(const FilterDescriptor&)>& use) {
+void FilterActions::fillFilterMenu(QMenu& menu, std::size_t index,
+                                   const std::function<void(const FilterDescriptor&)>& use) const {
   menu.setToolTipsVisible(true);
+  const Pipeline pipeline = document_.pipeline();
   FilterKind kind = FilterKind::Filter;
   for (const FilterDescriptor& filter : filterDescriptors()) {
-    if (kind == FilterKind::Filter && filter.kind != kind) menu.addSection(FilterActions::tr("Parallel blocks"));
+    if (kind == FilterKind::Filter && filter.kind != kind) menu.addSection(tr("Parallel blocks"));
     kind = filter.kind;
-    QAction* action = menu.addAction(filterText(filter.label));
+    const QString reason = whyNotAt(pipeline, index, filter, metresPerUnit_);
+    const QString label = filterText(filter.label);
+    QAction* action = menu.addAction(reason.isEmpty() ? label : tr("%1: %2").arg(label, reason));
+    action->setEnabled(reason.isEmpty());
     action->setToolTip(filterText(filter.help));
     action->setData(untranslated(filter.name));
-    QObject::connect(action, &QAction::triggered, &menu, [use, &filter] { use(filter); });
+    connect(action, &QAction::triggered, &menu, [use, &filter] { use(filter); });
   }
+}
+
+std::size_t FilterActions::placeBehind() const {
+  const FilterIds ids = selection_.ids();
+  return ids.empty() ? document_.filters().size() : placeOf(ids.back()) + 1;
 }
 
 FilterActions::FilterActions(Document& document, FilterSelection& selection, QWidget* list)
@@ -112,7 +121,11 @@ QMenu* FilterActions::makeMenu(QWidget* parent) {
   for (const bool behind : {false, true}) {
     QMenu* insertion = menu->addMenu(behind ? tr("&Insert behind") : tr("Insert &before"));
     insertion->setObjectName(behind ? QStringLiteral("insertBehind") : QStringLiteral("insertBefore"));
-    fillFilterMenu(*insertion, [this, behind](const FilterDescriptor& filter) { insert(filter, behind ? 1 : 0); });
+    const std::size_t index =
+        selection_.current() < 0 ? document_.filters().size() : placeOf(selection_.current()) + (behind ? 1 : 0);
+    fillFilterMenu(*insertion, index, [this, index](const FilterDescriptor& filter) {
+      emit chosen(addFilterAt(document_, index, filter, metresPerUnit_, tr("Insert %1")));
+    });
   }
   menu->addSeparator();
   put({"filters.cut", "filters.copy", "filters.paste", "filters.duplicate", "filters.remove"});
@@ -120,13 +133,6 @@ QMenu* FilterActions::makeMenu(QWidget* parent) {
   put({"filters.switch", "filters.upTo", "filters.othersOff", "filters.allOn"});
   menu->addAction(find(QStringLiteral("filters.defaults")));
   return menu;
-}
-
-void FilterActions::insert(const FilterDescriptor& filter, int behind) {
-  const PipelineStep step = defaultStep(filter, metresPerUnit_);
-  const std::size_t index = selection_.current() < 0 ? document_.filters().size()
-                                                     : placeOf(selection_.current()) + static_cast<std::size_t>(behind);
-  emit chosen(insertFilters(document_, index, {step}, tr("Insert %1").arg(labelOf(step))));
 }
 
 void FilterActions::cut() {
@@ -144,9 +150,7 @@ void FilterActions::paste() {
     const Pipeline part = parsePipelineFragment(pasted, tr("clipboard").toStdString());
     if (part.steps.empty())
       throw InputError(tr("clipboard: holds no filters; copy lines of a pipeline first").toStdString());
-    const FilterIds ids = selection_.ids();
-    const std::size_t index = ids.empty() ? document_.filters().size() : placeOf(ids.back()) + 1;
-    emit chosen(insertFilters(document_, index, part.steps, tr("Paste %1").arg(stepsText(part.steps))));
+    emit chosen(insertFilters(document_, placeBehind(), part.steps, tr("Paste %1").arg(stepsText(part.steps))));
   } catch (const InputError& error) {
     emit failed(coreText(error));
   }

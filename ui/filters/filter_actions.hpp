@@ -15,9 +15,6 @@
 
 namespace footfall::ui {
 
-/// Fills `menu` with all filters, strategies behind the others; `use` gets the chosen one.
-void fillFilterMenu(QMenu& menu, const std::function<void(const FilterDescriptor&)>& use);
-
 /// The keys of these actions belong to the list: FilterList hands them to handleKey() while it has the focus, so that
 /// other panels may have the same ones.
 class FilterActions : public QObject {
@@ -38,6 +35,11 @@ class FilterActions : public QObject {
   bool handleKey(const QKeyEvent& key, bool perform);
   /// A menu for the row under the mouse, which is selected. The caller deletes it.
   QMenu* makeMenu(QWidget* parent);
+  /// Fills `menu` with all filters, strategies behind the others; `use` gets the chosen one. Those that cannot run at
+  /// the place `index` of the list are grey and say why.
+  void fillFilterMenu(QMenu& menu, std::size_t index, const std::function<void(const FilterDescriptor&)>& use) const;
+  /// The place in the list behind the last selected row; the end of the list where none is selected.
+  [[nodiscard]] std::size_t placeBehind() const;
   /// After the selection or the filters have changed.
   void update();
   void setMetresPerUnit(double metresPerUnit) { metresPerUnit_ = metresPerUnit; }
@@ -63,7 +65,6 @@ class FilterActions : public QObject {
   void othersOff() { switchOthersOff(document_, selection_.ids()); }
   void allOn() { switchAllOn(document_); }
   void resetValues();
-  void insert(const FilterDescriptor& filter, int behind);
   [[nodiscard]] std::size_t placeOf(int id) const;
 
   Document& document_;

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "ui/base/flow_layout.hpp"
+#include "ui/document/edit_text.hpp"
+#include "ui/filters/filter_places.hpp"
 #include "ui/filters/seed_edits.hpp"
 
 namespace footfall::ui {
@@ -58,11 +60,9 @@ void FilterList::createHead(QVBoxLayout* layout) {
     return button;
   };
   auto* menu = new QMenu(this);
-  fillFilterMenu(*menu, [this](const FilterDescriptor& filter) {
-    document_.addFilter(filter, units_.metresPerUnit);
-    if (!document_.filters().empty()) choose({document_.filters().back().id});
-  });
-  add_ = button(QStringLiteral("addFilter"), tr("+ Add filter"), tr("Add a filter at the end of the list"), menu);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillAddMenu(*menu); });
+  add_ = button(QStringLiteral("addFilter"), tr("+ Add filter"),
+                tr("Add a filter behind the selected one, or at the end of the list"), menu);
   presets_ = new PresetsMenu(document_, PresetStore::ofUser(), this);
   auto* presets =
       button(QStringLiteral("presets"), tr("Presets"), tr("Take a pipeline by its name, or keep this one"), presets_);
@@ -81,6 +81,17 @@ void FilterList::createHead(QVBoxLayout* layout) {
   layout->addWidget(times_);
 }
 
+void FilterList::fillAddMenu(QMenu& menu) {
+  menu.clear();
+  const std::size_t index = actions_->placeBehind();
+  const auto& filters = document_.filters();
+  menu.addSection(index < filters.size() ? tr("Behind %1").arg(labelOf(filters[index - 1].step))
+                                         : tr("At the end of the list"));
+  actions_->fillFilterMenu(menu, index, [this, index](const FilterDescriptor& filter) {
+    choose(addFilterAt(document_, index, filter, units_.metresPerUnit, tr("Add %1")));
+  });
+}
+
 void FilterList::setUnits(const LevelUnits& units) {
   units_ = units;
   actions_->setMetresPerUnit(units.metresPerUnit);
@@ -97,6 +108,9 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
   connect(row, &FilterRow::placingRequested, this, &FilterList::placingRequested);
   connect(row, &FilterRow::parameterPointed, this, &FilterList::parameterPointed);
   connect(
+      row, &FilterRow::clearanceRequested, this,
+      [this](int id) { provideClearance(document_, id, units_.metresPerUnit); }, Qt::QueuedConnection);
+  connect(
       row, &FilterRow::groupRemoved, this, [this](int id, std::size_t seed) { removeSeed(document_, id, seed); },
       Qt::QueuedConnection);
   if (row->placeButton()) row->placeButton()->setChecked(placing_ == entry.id);
@@ -111,6 +125,7 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
 
 void FilterList::showFilters() {
   if (dragged_) endDrag(false);
+  pressed_ = nullptr;
   std::vector<FilterRow*> next;
   std::vector<int> ids;
   for (const FilterEntry& entry : document_.filters()) {
@@ -162,7 +177,9 @@ void FilterList::showStatuses() {
   const TimeShares shares = timeShares(document_.filters(), [this](int id) { return controller_.status(id); });
   times_->setShares(shares);
   for (FilterRow* row : rows_) {
-    row->setStatus(controller_.status(row->entryId()));
+    const StepStatus status = controller_.status(row->entryId());
+    row->setStatus(status);
+    if (status.state == StepState::Skipped) row->setClearanceOff(hasClearanceOff(document_, row->entryId()));
     const TimeShare* share = shareOf(shares, row->entryId());
     row->setShare(share ? std::optional(share->share) : std::nullopt,
                   share ? timeColour(static_cast<std::size_t>(share - shares.steps.data())) : QColor());
@@ -172,8 +189,15 @@ void FilterList::showStatuses() {
 
 void FilterList::showSelection() {
   for (FilterRow* row : rows_) row->setSelected(selection_.contains(row->entryId()));
+  if (!pressed_) openCurrent();
   actions_->update();
   emit selectionChanged();
+}
+
+// While the mouse holds a row, nothing moves under it.
+void FilterList::openCurrent() {
+  for (FilterRow* row : rows_) row->setOpen(row->entryId() == selection_.current());
+  giveRowsTheirHeight();
 }
 
 void FilterList::setPlacing(int id) {

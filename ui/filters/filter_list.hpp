@@ -61,6 +61,8 @@ class FilterList : public QWidget {
   void placeRows(std::vector<FilterRow*> rows);
   void showStatuses();
   void showSelection();
+  void openCurrent();
+  void fillAddMenu(QMenu& menu);
   /// Wrapped notes need more height than their smallest: the scroll area must not squeeze rows.
   void giveRowsTheirHeight();
   FilterRow* makeRow(const FilterEntry& entry);
@@ -70,6 +72,8 @@ class FilterList : public QWidget {
   bool handleKey(FilterRow* row, const QObject* watched, QKeyEvent& key, bool perform);
   [[nodiscard]] bool typing() const;
   void focusCurrent();
+  bool handleMove(const QMouseEvent& event);
+  bool handleRelease();
   void beginDrag(FilterRow* row);
   void moveDrag(const QPoint& globalPosition);
   void endDrag(bool drop);
@@ -92,6 +96,9 @@ class FilterList : public QWidget {
   QLabel* empty_;
   std::vector<FilterRow*> rows_;
   int placing_ = -1;
+  FilterRow* pressed_ = nullptr;  ///< by the mouse, where it can be dragged
+  QPoint pressedAt_;
+  bool keepsSelection_ = false;  ///< the press may begin a drag of several rows
   FilterRow* dragged_ = nullptr;
   std::size_t dropGap_ = 0;
   bool choosing_ = false;  // the focus follows the selection and must not change it

@@ -1,6 +1,7 @@
 // FilterList: what the mouse and the keys do.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
+#include <QApplication>
 #include <QContextMenuEvent>
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -8,6 +9,7 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <algorithm>
+#include <utility>
 
 #include "ui/filters/filter_list.hpp"
 
@@ -35,13 +37,11 @@ bool FilterList::eventFilter(QObject* watched, QEvent* event) {
       if (handlePress(row, watched, *static_cast<QMouseEvent*>(event))) return true;
       break;
     case QEvent::MouseMove:
-      if (!dragged_ || watched != dragged_->handle()) break;
-      moveDrag(static_cast<QMouseEvent*>(event)->globalPosition().toPoint());
-      return true;
+      if (handleMove(*static_cast<QMouseEvent*>(event))) return true;
+      break;
     case QEvent::MouseButtonRelease:
-      if (!dragged_ || watched != dragged_->handle()) break;
-      endDrag(true);
-      return true;
+      if (handleRelease()) return true;
+      break;
     case QEvent::FocusIn:
       if (choosing_ || selection_.current() == row->entryId()) break;
       // The press that brought it comes next, and knows of Shift and Ctrl.
@@ -73,7 +73,11 @@ bool FilterList::handlePress(FilterRow* row, const QObject* watched, const QMous
   if (watched != row && !onHandle) return false;
   const bool chosen = selection_.contains(row->entryId());
   // Pressing into a selection keeps it: it may be dragged, or get a menu.
-  const bool keeps = chosen && event.modifiers() == Qt::NoModifier && (onHandle || event.button() == Qt::RightButton);
+  const bool plain = event.modifiers() == Qt::NoModifier;
+  const bool keeps = chosen && plain;
+  pressed_ = event.button() == Qt::LeftButton && plain ? row : nullptr;
+  pressedAt_ = event.globalPosition().toPoint();
+  keepsSelection_ = keeps;
   if (!keeps && (event.button() == Qt::LeftButton || !chosen)) {
     selection_.choose(row->entryId(), event.button() == Qt::LeftButton ? event.modifiers() : Qt::NoModifier);
     showSelection();
@@ -81,14 +85,38 @@ bool FilterList::handlePress(FilterRow* row, const QObject* watched, const QMous
   choosing_ = true;
   row->setFocus(Qt::MouseFocusReason);
   choosing_ = false;
-  if (!onHandle || event.button() != Qt::LeftButton || event.modifiers() != Qt::NoModifier) return false;
-  beginDrag(row);
+  return pressed_ != nullptr;
+}
+
+bool FilterList::handleMove(const QMouseEvent& event) {
+  if (!pressed_) return false;
+  const QPoint at = event.globalPosition().toPoint();
+  if (!dragged_ && (at - pressedAt_).manhattanLength() < QApplication::startDragDistance()) return true;
+  if (!dragged_) beginDrag(pressed_);
+  moveDrag(at);
+  return true;
+}
+
+// Without a drag, a press into several selected rows chooses the one under the mouse.
+bool FilterList::handleRelease() {
+  FilterRow* row = std::exchange(pressed_, nullptr);
+  if (!row) return false;
+  if (dragged_) {
+    endDrag(true);
+    openCurrent();
+    return true;
+  }
+  if (keepsSelection_) selection_.choose(row->entryId());
+  showSelection();
   return true;
 }
 
 bool FilterList::handleKey(FilterRow* row, const QObject* watched, QKeyEvent& key, bool perform) {
   if (dragged_ && key.key() == Qt::Key_Escape) {
-    if (perform) endDrag(false);
+    if (perform) {
+      endDrag(false);
+      pressed_ = nullptr;
+    }
     return true;
   }
   const bool arrow = key.key() == Qt::Key_Up || key.key() == Qt::Key_Down;

@@ -13,6 +13,7 @@
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
+#include "ui/document/edit_text.hpp"
 #include "ui/view/cell_colours.hpp"
 
 namespace footfall::ui {
@@ -85,40 +86,10 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(filterText(filter_.label));
 
-  handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
-  handle_->setObjectName(QStringLiteral("dragHandle"));
-  handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
-  handle_->setCursor(Qt::OpenHandCursor);
-  enabled_ = new ElidedCheckBox(filterText(filter_.label), this);
-  enabled_->setObjectName(QStringLiteral("filterName"));
-  enabled_->setToolTip(helpOf(filter_));
-  stateIcon_ = new QLabel(this);
-  state_ = new QLabel(this);
-  remove_ = new QToolButton(this);
-  remove_->setText(QStringLiteral("✕"));
-  remove_->setAutoRaise(true);
-  remove_->setToolTip(tr("Remove this filter"));
-  remove_->setAccessibleName(tr("Remove %1").arg(filterText(filter_.label)));
-
-  auto* head = new QHBoxLayout;
-  head->setSpacing(6);
-  head->addWidget(handle_);
-  head->addWidget(enabled_, 1);
-  head->addWidget(stateIcon_);
-  head->addWidget(state_);
-  if (filter_.kind == FilterKind::Strategy) {
-    preview_ = new QToolButton(this);
-    preview_->setText(tr("Cells"));
-    preview_->setObjectName(QStringLiteral("previewCells"));
-    preview_->setToolTip(tr("Preview the cells that this strategy makes, without running the filters"));
-    connect(preview_, &QToolButton::clicked, this, [this] { emit previewRequested(id_); });
-    head->addWidget(preview_);
-  }
-  head->addWidget(remove_);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 5, 5, 6);
+  layout->setContentsMargins(8, 3, 5, 3);
   layout->setSpacing(3);
-  layout->addLayout(head);
+  addHead(layout);
   addParameters(layout);
   if (filter_.repeats > 0) addGroups(layout, entry.step.values.size());
   figures_ = new WrappedLabel(this);
@@ -130,6 +101,15 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   layout->addWidget(figures_);
   layout->addWidget(error_);
   error_->hide();
+  mend_ = new QToolButton(this);
+  mend_->setObjectName(QStringLiteral("mendRow"));
+  mend_->hide();
+  setClearanceOff(true);
+  connect(mend_, &QToolButton::clicked, this, [this] { emit clearanceRequested(id_); });
+  auto* mending = new QHBoxLayout;
+  mending->setContentsMargins(22, 0, 0, 0);
+  mending->addWidget(mend_, 0, Qt::AlignLeft);
+  layout->addLayout(mending);
   share_ = new ShareBar(this);
   layout->addWidget(share_);
 
@@ -138,6 +118,50 @@ FilterRow::FilterRow(const FilterEntry& entry, QWidget* parent)
   setEntry(entry);
   showUnits();
   setStatus({});
+}
+
+void FilterRow::addHead(QVBoxLayout* layout) {
+  const QString label = filterText(filter_.label);
+  handle_ = new QLabel(QStringLiteral("⋮⋮"), this);
+  handle_->setObjectName(QStringLiteral("dragHandle"));
+  handle_->setToolTip(tr("Drag to change the order (or Alt+Up, Alt+Down)"));
+  handle_->setCursor(Qt::OpenHandCursor);
+  enabled_ = new QCheckBox(this);
+  enabled_->setToolTip(tr("Switch this filter off and on (Space)"));
+  enabled_->setAccessibleName(label);
+  name_ = new ElidedLabel(label, this);
+  name_->setObjectName(QStringLiteral("filterName"));
+  name_->setToolTip(helpOf(filter_));
+  summary_ = new ElidedLabel(this);
+  summary_->setObjectName(QStringLiteral("filterSummary"));
+  time_ = new QLabel(this);
+  time_->setObjectName(QStringLiteral("filterSummary"));
+  stateIcon_ = new QLabel(this);
+  state_ = new QLabel(this);
+  remove_ = new QToolButton(this);
+  remove_->setText(QStringLiteral("✕"));
+  remove_->setAutoRaise(true);
+  remove_->setToolTip(tr("Remove this filter"));
+  remove_->setAccessibleName(tr("Remove %1").arg(label));
+  auto* head = new QHBoxLayout;
+  head->setSpacing(6);
+  head->addWidget(handle_);
+  head->addWidget(enabled_);
+  head->addWidget(name_);
+  head->addWidget(summary_, 1);
+  head->addWidget(time_);
+  head->addWidget(stateIcon_);
+  head->addWidget(state_);
+  if (filter_.kind == FilterKind::Strategy) {
+    preview_ = new QToolButton(this);
+    preview_->setText(tr("Cells"));
+    preview_->setObjectName(QStringLiteral("previewCells"));
+    preview_->setToolTip(tr("Preview the cells that this strategy makes, without running the filters"));
+    connect(preview_, &QToolButton::clicked, this, [this] { emit previewRequested(id_); });
+    head->addWidget(preview_);
+  }
+  head->addWidget(remove_);
+  layout->addLayout(head);
 }
 
 void FilterRow::addParameters(QVBoxLayout* layout) {
@@ -259,6 +283,7 @@ void FilterRow::setUnits(const LevelUnits& units) {
   for (QWidget* widget : fields_)
     if (auto* field = qobject_cast<NumberField*>(widget)) field->setUnits(units);
   showUnits();
+  showSummary();
 }
 
 void FilterRow::showUnits() {
@@ -267,11 +292,65 @@ void FilterRow::showUnits() {
   if (groupUnit_) groupUnit_->setText(unitText(filter_.parameters.back().unit, shown_));
 }
 
+// Values that have names of their own ("yes") mean nothing without their label.
+void FilterRow::showSummary() {
+  QStringList parts;
+  const std::size_t once = filter_.parameters.size() - filter_.repeats;
+  for (std::size_t i = 0; i < once && i < values_.size(); ++i) {
+    const ParameterDescriptor& parameter = filter_.parameters[i];
+    if (parameter.type == ParameterType::Boolean) continue;
+    QString text = valueText(parameter, values_[i], shown_);
+    if (parameter.unit == Unit::Length || parameter.unit == Unit::Area)
+      text += QStringLiteral(" ") + unitText(parameter.unit, shown_);
+    parts << text;
+  }
+  if (filter_.repeats > 0) parts << tr("%n seeds", "", static_cast<int>((values_.size() - once) / filter_.repeats));
+  summary_->setText(parts.join(QStringLiteral("  ·  ")));
+}
+
+void FilterRow::setOpen(bool open) {
+  if (open_ == open) return;
+  open_ = open;
+  showParts();
+}
+
+void FilterRow::setClearanceOff(bool off) {
+  const QString clearance = filterText(filterDescriptor(FilterType::VerticalClearance).label);
+  mend_->setText((off ? tr("Switch %1 on") : tr("Add %1")).arg(clearance));
+}
+
+// Setting what is set already costs a layout of the whole list.
+void FilterRow::showParts() {
+  const auto show = [](QWidget* widget, bool visible) {
+    if (widget && widget->isHidden() == visible) widget->setVisible(visible);
+  };
+  bool hasProblem = false;
+  for (QWidget* widget : fields_) {
+    const auto* field = qobject_cast<NumberField*>(widget);
+    hasProblem = hasProblem || (field && !field->problem().isEmpty());
+  }
+  const bool open = open_ || hasProblem;
+  const bool usual = status_.state == StepState::Done || status_.state == StepState::Cached;
+  show(parameters_, open);
+  show(groups_, open);
+  show(figures_, open && !figures_->text().isEmpty() && status_.state != StepState::Off);
+  show(summary_, !open);
+  name_->setSizePolicy(open ? QSizePolicy::Expanding : QSizePolicy::Preferred, QSizePolicy::Preferred);
+  show(time_, !open && usual && !time_->text().isEmpty());
+  show(state_, open || !usual);
+  show(error_, !error_->text().isEmpty());
+  show(mend_, status_.state == StepState::Skipped);
+}
+
 bool FilterRow::fits(const FilterEntry& entry) const {
   return fieldsFor(filter_, entry.step.values.size()) == fields_.size();
 }
 
 void FilterRow::setEntry(const FilterEntry& entry) {
+  values_ = entry.step.values;
+  showSummary();
+  name_->setEnabled(entry.step.enabled);
+  summary_->setEnabled(entry.step.enabled);
   enabled_->setChecked(entry.step.enabled);
   if (parameters_) parameters_->setEnabled(entry.step.enabled);
   if (groups_) {
@@ -312,7 +391,8 @@ void FilterRow::setStatus(const StepStatus& status) {
   if (figures != figures_->text()) figures_->setText(figures);
   const bool old = status.state == StepState::Stale || status.state == StepState::Cancelled;
   figures_->setEnabled(!old);
-  figures_->setVisible(!figures.isEmpty() && status.state != StepState::Off);
+  time_->setText(status.wallMs ? durationText(*status.wallMs) : QString());
+  time_->setToolTip(figures);
   showError();
 }
 
@@ -349,9 +429,12 @@ void FilterRow::showError() {
     const auto* field = qobject_cast<NumberField*>(widget);
     if (field && !field->problem().isEmpty()) lines << field->problem();
   }
+  if (status_.state == StepState::Skipped)
+    lines << tr("needs %1").arg(filterText(filterDescriptor(FilterType::VerticalClearance).label));
   if (!status_.error.isEmpty()) lines << status_.error;
-  error_->setText(lines.join(QLatin1Char('\n')));
-  error_->setVisible(!lines.isEmpty());
+  const QString text = lines.join(QLatin1Char('\n'));
+  if (text != error_->text()) error_->setText(text);
+  showParts();
 }
 
 }  // namespace footfall::ui

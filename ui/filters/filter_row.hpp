@@ -17,7 +17,8 @@
 
 namespace footfall::ui {
 
-/// Shows an entry and its status; emits a signal for what the user does to it and changes nothing itself.
+/// Shows an entry and its status; emits a signal for what the user does to it and changes nothing itself. A closed row
+/// is one line with its values as text; an open one has their fields, too.
 class FilterRow : public QFrame {
   Q_OBJECT
 
@@ -33,6 +34,9 @@ class FilterRow : public QFrame {
   /// Marks the rows of a parallel block, from its strategy to its Collapse.
   void setInBlock(bool inBlock);
   void setSelected(bool selected);
+  /// A row with a field whose text is no valid value stays open.
+  void setOpen(bool open);
+  [[nodiscard]] bool isOpen() const { return open_; }
   /// The step's part of the time of all; nothing where it has no time.
   void setShare(std::optional<double> share, const QColor& colour);
   void setUnits(const LevelUnits& units);
@@ -48,6 +52,13 @@ class FilterRow : public QFrame {
   /// The button that removes the seed `group`.
   [[nodiscard]] QToolButton* removeGroupButton(std::size_t group) const { return removeGroup_[group]; }
   [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
+  [[nodiscard]] QLabel* nameLabel() const { return name_; }
+  /// The values of a closed row, e.g. "45°".
+  [[nodiscard]] QString summaryText() const { return summary_->text(); }
+  /// What a skipped row offers: to switch Vertical clearance on, or to add it.
+  [[nodiscard]] QToolButton* mendButton() const { return mend_; }
+  /// Whether the Vertical clearance filter that a skipped row needs is there and off; else there is none.
+  void setClearanceOff(bool off);
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }
   /// Null for filters that are no strategy.
   [[nodiscard]] QToolButton* previewButton() const { return preview_; }
@@ -62,6 +73,8 @@ class FilterRow : public QFrame {
   void enabledEdited(int id, bool enabled);
   void valueEdited(int id, std::size_t parameter, double value, int editSession);
   void removeRequested(int id);
+  /// The Vertical clearance filter that the row needs is to be there.
+  void clearanceRequested(int id);
   /// Only of strategies.
   void previewRequested(int id);
   /// Seeds are to be placed in the view, or no more.
@@ -81,7 +94,10 @@ class FilterRow : public QFrame {
   void addGroups(QVBoxLayout* layout, std::size_t values);
   NumberField* makeNumber(const ParameterDescriptor& parameter, std::size_t index, QWidget* parent);
   void addNumber(const ParameterDescriptor& parameter, std::size_t index, QGridLayout* grid, QLabel* label);
+  void addHead(QVBoxLayout* layout);
   void showUnits();
+  void showSummary();
+  void showParts();
   void showState();
   void showError();
 
@@ -89,6 +105,12 @@ class FilterRow : public QFrame {
   const FilterDescriptor& filter_;
   QLabel* handle_;
   QCheckBox* enabled_;
+  QLabel* name_ = nullptr;
+  QLabel* summary_ = nullptr;
+  QLabel* time_ = nullptr;
+  QToolButton* mend_ = nullptr;
+  bool open_ = false;
+  std::vector<double> values_;
   QLabel* stateIcon_;
   QLabel* state_ = nullptr;
   QColor stateColour_;

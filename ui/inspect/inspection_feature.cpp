@@ -209,6 +209,7 @@ void InspectionFeature::showFilter() {
       if (auto* dock = qobject_cast<QDockWidget*>(parent)) bringToFront(*dock);
       if (auto* scroll = qobject_cast<QScrollArea*>(parent)) scroll->ensureWidgetVisible(row);
     }
+    filters_.choose({row->entryId()});
     QWidget* target = entry->step.values.empty() ? row->enabledBox() : row->field(0);
     target->setFocus(Qt::ShortcutFocusReason);
     return;

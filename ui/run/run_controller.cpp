@@ -34,7 +34,7 @@ RunController::~RunController() {
 // --- What there is to run, and when
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
-  stopJob(StepState::Fresh);
+  stopJob(false);
   inputs_.setEnvironment(std::move(environment), centre);
   finished_.reset();
   finishedKey_.clear();
@@ -42,9 +42,14 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   forecast_.clear();
   forgetSteps();
   display_.clear();
-  statuses_.follow(inputs_.filters(), busy());
+  listProblems();
   emit statusChanged();
   start(Start::Asked);
+}
+
+// The errors that a list has are those of its rows, before any run.
+void RunController::listProblems() {
+  statuses_.setFilters(inputs_.filters(), inputs_.skipped(), inputs_.findInvalidStep());
 }
 
 // What is known of single steps by their filters belongs to one environment.
@@ -60,12 +65,12 @@ void RunController::forgetSteps() {
 void RunController::editEnvironment(std::shared_ptr<const Environment> environment) {
   const bool overtakes = job_ != nullptr;
   const bool finishes = letsFinish();
-  if (!finishes) stopJob(StepState::Stale);
+  if (!finishes) stopJob(false);
   inputs_.editEnvironment(std::move(environment));
   finishedKey_.clear();
   statuses_.forgetFigures();
   forgetSteps();
-  statuses_.follow(inputs_.filters(), busy());
+  listProblems();
   followUp_ = finishes;
   if (finishes) return;
   if (automatic_) {
@@ -83,14 +88,14 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   const bool sameAsRunning = job_ && job_->key == key;
   followUp_ = !sameAsRunning && letsFinish();
   if (followUp_) {
-    statuses_.follow(inputs_.filters(), busy());
+    listProblems();
     // What the list as it is would change, before any run of it.
     if (display_.hasResult()) display_.showChanges(makeEditJob()->changes);
     return;
   }
   const bool overtakes = job_ != nullptr;
-  if (!sameAsRunning) stopJob(StepState::Stale);
-  statuses_.follow(inputs_.filters(), busy());
+  if (!sameAsRunning) stopJob(false);
+  listProblems();
   const bool shown = finished_ && finished_->environment == environment() && finishedKey_ == key;
   const bool starting = environment() && !sameAsRunning && !shown;
   // A run tells the statuses when it takes a while, and at its end: to repaint the rows twice costs it time.
@@ -134,7 +139,7 @@ void RunController::setDragging(bool dragging) {
 
 void RunController::runNow() {
   if (!environment()) return;
-  stopJob(StepState::Stale);
+  stopJob(false);
   finishedKey_.clear();
   start(Start::Asked);
 }
@@ -142,20 +147,20 @@ void RunController::runNow() {
 void RunController::cancel() {
   followUp_ = false;
   if (!job_) return margins_.clear();
-  stopJob(StepState::Cancelled);
+  stopJob(true);
   display_.restore();
   schedule_.awaitFrame();
   emit statusChanged();
   emit cancelled();
 }
 
-void RunController::stopJob(StepState unfinished) {
+void RunController::stopJob(bool cancelled) {
   if (!job_) return;
   job_->context->cancel();  // it ends by itself, soon; nobody waits
   schedule_.drop();
   follower_.leave();
   followUp_ = false;
-  statuses_.stop(*job_, unfinished);
+  statuses_.stop(cancelled);
   job_.reset();
 }
 
@@ -191,7 +196,7 @@ bool RunController::previews(int id) const {
 }
 
 std::shared_ptr<const FinishedRun> RunController::finishedRunOf(const Pipeline& pipeline) const {
-  return runs_.peek(keyOf(pipeline));
+  return runs_.peek(keyOf(withoutSkipped(pipeline)));
 }
 
 // --- A run
@@ -208,13 +213,10 @@ std::shared_ptr<RunJob> RunController::makeEditJob() const {
   return job;
 }
 
-// What the runner would refuse before it begins belongs on the row where it stands.
+// The row of the step has the same message (listProblems()).
 bool RunController::reportInvalidStep() {
   const std::optional<InvalidStep> step = inputs_.findInvalidStep();
   if (!step) return false;
-  StepStatus& status = statuses_[step->id];
-  status.state = StepState::Failed;
-  status.error = step->message;
   emit statusChanged();
   emit failed(step->place + QStringLiteral(": ") + step->message);
   return true;
@@ -222,17 +224,13 @@ bool RunController::reportInvalidStep() {
 
 void RunController::start(Start why) {
   if (!environment()) return;
-  stopJob(StepState::Stale);
-  statuses_.begin();
+  stopJob(false);
   if (reportInvalidStep()) return;
 
   const std::shared_ptr<RunJob> job = makeEditJob();
-  for (const int id : job->ids) {
-    StepStatus& status = statuses_[id];
-    if (status.state == StepState::Cancelled) status.state = StepState::Stale;
-  }
   if (why != Start::Asked && showKnown(job)) return;
   job_ = job;
+  statuses_.begin(*job);
   follower_.follow(job);
   // The work begins now; what is connected may edit or cancel, and not in the middle of the edit that led here.
   QMetaObject::invokeMethod(
@@ -267,18 +265,17 @@ void RunController::complete(const std::shared_ptr<RunJob>& job, const RunOutcom
   if (job != job_) return;  // what is connected to them has cancelled
   follower_.leave();
   job_.reset();
-  if (!outcome.finished) return fail(*job, outcome.error);
+  if (!outcome.finished) return fail(outcome.error);
   if (job->environment == environment()) runs_.store(job->key, outcome.finished, outcome.content);
   showFinished(job, outcome, false);
   if (std::exchange(followUp_, false) && !job_ && !upToDate()) {
-    statuses_.follow(inputs_.filters(), busy());
     start(Start::Edited);
   }
   nextAhead();
 }
 
-void RunController::fail(const RunJob& job, const QString& error) {
-  statuses_.fail(job, error);
+void RunController::fail(const QString& error) {
+  statuses_.fail(error);
   display_.restore();
   schedule_.awaitFrame();
   emit statusChanged();
@@ -297,6 +294,7 @@ void RunController::showFinished(const std::shared_ptr<RunJob>& job, const RunOu
   finishedKey_ = job->key;
   const RunResult& result = finished_->result;
   statuses_.setResult(*job, result, known);
+  if (job->environment != environment()) statuses_.forgetFigures();
   forecast_.remember(*job, result);
   display_.setResult(*job, outcome);
   margins_.setResult(job, outcome);

@@ -121,8 +121,9 @@ class RunController : public QObject {
   void showFinished(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome, bool known);
   void work();
   void complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome);
-  void fail(const RunJob& job, const QString& error);
-  void stopJob(StepState unfinished);
+  void fail(const QString& error);
+  void stopJob(bool cancelled);
+  void listProblems();
   bool reportInvalidStep();
   void forgetSteps();
   [[nodiscard]] bool letsFinish() const;

@@ -65,18 +65,17 @@ void RunFollower::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
     const RunEventBuffer::Step& step = steps[i];
     if (step.finished) {
       forecast_.take(*job_, i, step, false, 1, fetched_);
-      statuses_.finish(*job_, i, step);
+      statuses_.finish(i, step);
       done += 1;
       continue;
     }
     const BlockPlace place = placeInBlock(i, steps, blocks);
     if (place.waits) continue;  // as it was
-    StepStatus& status = statuses_[job_->ids[i]];
-    status.state = StepState::Running;
-    status.fraction = place.block ? place.fraction : step.fraction;
-    forecast_.take(*job_, i, step, place.block, status.fraction, fetched_);
+    const double fraction = place.block ? place.fraction : step.fraction;
+    statuses_.run(i, fraction);
+    forecast_.take(*job_, i, step, place.block, fraction, fetched_);
     text = place.block ? place.text : filterText(job_->steps[i]->filter->label);
-    done += status.fraction;
+    done += fraction;
   }
   if (fetched_ - job_->begun > kProgressAfter) {
     emit progressed(done / static_cast<double>(job_->ids.size() + 1), text);

@@ -35,13 +35,23 @@ bool RunInputs::setPlace(const RunPlace& place) {
 Pipeline RunInputs::pipeline() const {
   Pipeline pipeline;
   for (const FilterEntry& entry : filters_) pipeline.steps.push_back(entry.step);
-  return pipeline;
+  return withoutSkipped(std::move(pipeline));
+}
+
+std::set<int> RunInputs::skipped() const {
+  const Pipeline run = pipeline();
+  std::set<int> ids;
+  for (std::size_t i = 0; i < filters_.size(); ++i) {
+    if (filters_[i].step.enabled && !run.steps[i].enabled) ids.insert(filters_[i].id);
+  }
+  return ids;
 }
 
 std::optional<RunInputs::PlacedStep> RunInputs::find(int id) const {
   std::string prefix;
+  const std::set<int> skipped = this->skipped();
   for (const FilterEntry& entry : filters_) {
-    if (!entry.step.enabled) continue;
+    if (!entry.step.enabled || skipped.contains(entry.id)) continue;
     if (entry.id == id) return PlacedStep{std::move(prefix), entry.step};
     prefix = extendPrefix(prefix, entry.step);
   }
@@ -49,7 +59,7 @@ std::optional<RunInputs::PlacedStep> RunInputs::find(int id) const {
 }
 
 std::shared_ptr<RunJob> RunInputs::makeJob(const Pipeline& pipeline) const {
-  std::shared_ptr<RunJob> job = makeRunJob(pipeline);
+  std::shared_ptr<RunJob> job = makeRunJob(withoutSkipped(pipeline));
   job->environment = environment_;
   job->centre = centre_;
   job->threads = threads_;
@@ -61,8 +71,8 @@ std::shared_ptr<RunJob> RunInputs::makeJob(const Pipeline& pipeline) const {
 std::shared_ptr<RunJob> RunInputs::makeListJob() const {
   std::shared_ptr<RunJob> job = makeJob(pipeline());
   job->place = place_;
-  for (const FilterEntry& entry : filters_) {
-    if (entry.step.enabled) job->ids.push_back(entry.id);
+  for (std::size_t i = 0; i < filters_.size(); ++i) {
+    if (job->pipeline.steps[i].enabled) job->ids.push_back(filters_[i].id);
   }
   return job;
 }

@@ -5,6 +5,7 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,10 @@ class RunInputs {
   [[nodiscard]] const Vec3& centre() const { return centre_; }
   [[nodiscard]] const std::vector<FilterEntry>& filters() const { return filters_; }
   [[nodiscard]] const std::shared_ptr<ResultCache>& cache() const { return cache_; }
+  /// The list without the steps that cannot run (skipped()).
   [[nodiscard]] Pipeline pipeline() const;
+  /// Ids of the enabled filters that are left out because no Vertical clearance filter runs before them.
+  [[nodiscard]] std::set<int> skipped() const;
   /// The enabled steps of the list.
   [[nodiscard]] std::string key() const { return keyOf(pipeline()); }
   /// The steps before a filter of the list, and the filter; nothing for one that is switched off.

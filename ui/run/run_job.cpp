@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/distributed/folder_exchange.hpp"
+#include "core/pipeline/block_structure.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/run/provisional_content.hpp"
@@ -59,6 +60,15 @@ void runElsewhere(RunJob& job, FinishedRun& finished) {
 }
 
 }  // namespace
+
+Pipeline withoutSkipped(Pipeline pipeline) {
+  bool hasClearance = false;
+  for (PipelineStep& step : pipeline.steps) {
+    if (step.enabled && step.filter->type == FilterType::VerticalClearance) hasClearance = true;
+    if (!hasClearance && needsClearance(step)) step.enabled = false;
+  }
+  return pipeline;
+}
 
 std::vector<const PipelineStep*> enabledSteps(const Pipeline& pipeline) {
   std::vector<const PipelineStep*> steps;

@@ -26,6 +26,8 @@ inline std::string extendPrefix(const std::string& prefix, const PipelineStep& s
   return prefix + formatStep(step) + '\n';
 }
 /// The enabled steps, in order.
+/// The same with each step switched off that needs a Vertical clearance filter and has none before it.
+Pipeline withoutSkipped(Pipeline pipeline);
 std::vector<const PipelineStep*> enabledSteps(const Pipeline& pipeline);
 /// The enabled steps as a key.
 std::string keyOf(const Pipeline& pipeline);

@@ -27,6 +27,8 @@ QString stateWord(StepState state) {
       return tr("failed");
     case StepState::Off:
       return tr("off");
+    case StepState::Skipped:
+      return tr("skipped");
   }
   return {};
 }
@@ -42,6 +44,7 @@ QColor stateColour(StepState state, const QPalette& palette) {
       return dark ? QColor(150, 195, 180) : QColor(62, 92, 84);
     case StepState::Stale:
     case StepState::Cancelled:
+    case StepState::Skipped:
       return dark ? QColor(240, 190, 70) : QColor(128, 92, 0);
     case StepState::Failed:
       return dark ? QColor(255, 130, 90) : QColor(176, 32, 0);
@@ -68,6 +71,7 @@ QPixmap stateMark(StepState state, const QPalette& palette, int side, qreal devi
       case StepState::Failed:
         return "state-failed";
       case StepState::Off:
+      case StepState::Skipped:
         return "state-off";
       case StepState::Fresh:
         break;

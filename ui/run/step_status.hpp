@@ -8,20 +8,18 @@
 #include <QString>
 #include <cstdint>
 #include <optional>
-#include <string>
 
 namespace footfall::ui {
 
-enum class StepState { Fresh, Running, Done, Cached, Stale, Cancelled, Failed, Off };
+enum class StepState { Fresh, Running, Done, Cached, Stale, Cancelled, Failed, Off, Skipped };
 
 struct StepStatus {
   StepState state = StepState::Fresh;
   double fraction = 0;           ///< while running
   std::optional<double> wallMs;  ///< of the last time it ran
   std::optional<std::uint64_t> trianglesIn, trianglesOut;
-  QString note;        ///< the filter's own words
-  QString error;       ///< when failed
-  std::string prefix;  ///< the steps up to this one that the figures belong to
+  QString note;   ///< the filter's own words
+  QString error;  ///< when failed
 };
 
 QString stateWord(StepState state);

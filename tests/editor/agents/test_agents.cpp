@@ -71,7 +71,7 @@ class TestAgents : public QObject {
     open();
     addPreset("Human");
     const int count = document().undoStack()->count();
-    auto* field = qobject_cast<NumberField*>(window_->filterList().rows()[1]->field(0));
+    auto* field = openField(*window_, 1);
     field->setFocus();
     field->selectAll();
     QTest::keyClicks(field, "30");

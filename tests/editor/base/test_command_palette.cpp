@@ -181,7 +181,7 @@ class TestCommandPalette : public QObject {
     QTRY_VERIFY(help.isVisible());
     QVERIFY(help.toPlainText().contains("F1"));
     const auto& rows = window_->filterList().rows();
-    QTest::mouseClick(rows[0]->field(0), Qt::LeftButton);
+    QTest::mouseClick(openField(*window_, 0), Qt::LeftButton);
     const FilterDescriptor& slope = filterDescriptor(FilterType::Slope);
     QTRY_VERIFY(help.toPlainText().contains(filterText(slope.help)));
     QVERIFY(help.toPlainText().contains(QString("▶ ") + filterText(slope.parameters[0].label)));

@@ -44,7 +44,7 @@ class TestGerman : public QObject {
   void notesOfFilters() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()),
                     "AutoStrategy\nVerticalClearanceFilter 2\nCollapse\nAreaFilter 5\nLayerSubdivisionFilter\n"));
-    QVERIFY2(note(0).startsWith("1 Zelle; GridStrategy 1 1: Eine Zelle, weil "), qPrintable(note(0)));
+    QVERIFY2(note(0).startsWith("1 Zelle; Gitterstrategie 1 1: Eine Zelle, weil "), qPrintable(note(0)));
     QCOMPARE(note(3), QString("1 von 3 Gebieten entfernt"));
     QCOMPARE(note(4), QString("1 Ebene, 0 Verbindungen"));
   }
@@ -66,7 +66,7 @@ class TestGerman : public QObject {
   void messagesAboutValuesAndBlocks() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), "SlopeFilter 45\n"));
     FilterRow* row = window_->filterList().rows()[0];
-    auto* field = qobject_cast<NumberField*>(row->field(0));
+    auto* field = openField(*window_, 0);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "95");
     QVERIFY2(
@@ -76,7 +76,7 @@ class TestGerman : public QObject {
     QTest::keyClick(field, Qt::Key_Escape);
     window_->document().replacePipeline(parsePipelineFragment("GridStrategy 2 2\n", "test"), "test");
     QTRY_COMPARE(window_->messageBar().text(),
-                 QString("Schritt 1 (Gitterstrategie): GridStrategy beginnt einen parallelen Block, der nie "
+                 QString("Schritt 1 (Gitterstrategie): Gitterstrategie beginnt einen parallelen Block, der nie "
                          "endet; setzen Sie ein Collapse dahinter"));
   }
 

@@ -147,7 +147,7 @@ class TestPanels : public QObject {
                     "AutoStrategy\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter\n"));
     QTest::qWait(100);
     QCOMPARE(dock->width(), width);
-    auto* field = window_->filterList().rows()[1]->field(0);
+    auto* field = openField(*window_, 1);
     field->setFocus();
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, QString(90, '7'));

@@ -65,7 +65,7 @@ class TestFilterList : public QObject {
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     QVERIFY(row(2)->isAncestorOf(QApplication::focusWidget()) || row(2)->hasFocus() ||
             row(1)->removeButton()->hasFocus());
-    row(2)->field(0)->setFocus();
+    row(2)->enabledBox()->setFocus();
     QCOMPARE(selected(), (QList<int>{2}));
   }
 
@@ -146,7 +146,7 @@ class TestFilterList : public QObject {
   }
 
   void aFieldKeepsItsOwnClipboard() {
-    auto* field = qobject_cast<NumberField*>(row(1)->field(0));
+    auto* field = openField(*window_, 1);
     field->setFocus();
     field->selectAll();
     QTest::keyClick(field, Qt::Key_C, Qt::ControlModifier);
@@ -212,9 +212,9 @@ class TestFilterList : public QObject {
     QCOMPARE(selected(), (QList<int>{2}));
     menu = openMenu(3);
     QVERIFY(menu);
-    choose(menu->findChild<QMenu*>("insertBehind"), "Collapse");
-    QCOMPARE(names(), (QStringList{"Degeneracy", "Slope", "Area", "Clearance", "Collapse", "Area"}));
-    QCOMPARE(undoText(), QString("Insert Collapse"));
+    choose(menu->findChild<QMenu*>("insertBehind"), "StepFilter");
+    QCOMPARE(names(), (QStringList{"Degeneracy", "Slope", "Area", "Clearance", "Step", "Area"}));
+    QCOMPARE(undoText(), QString("Insert Steps"));
   }
 
   void rowsShowWhereTheTimeGoes() {
@@ -249,7 +249,7 @@ class TestFilterList : public QObject {
   }
 
   void draggingAValueFollowsAndIsOneEdit() {
-    auto* field = qobject_cast<NumberField*>(row(1)->field(0));
+    auto* field = openField(*window_, 1);
     const int count = window_->document().undoStack()->count();
     const auto at = [&](int x) { return QPoint(8 + x, field->height() / 2); };
     QTest::mousePress(field, Qt::LeftButton, Qt::NoModifier, at(0));
@@ -364,7 +364,7 @@ class TestFilterList : public QObject {
     scale->selectAll();
     QTest::keyClicks(scale, "0.05");
     QCOMPARE(row(2)->unitOf(0), QString("m"));
-    auto* field = qobject_cast<NumberField*>(row(2)->field(0));
+    auto* field = openField(*window_, 2);
     QCOMPARE(field->text(), QString("2"));
     QCOMPARE(field->value(), 40.0);
   }

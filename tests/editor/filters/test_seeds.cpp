@@ -119,6 +119,7 @@ class TestSeeds : public QObject {
     QCOMPARE(row()->fieldCount(), 0U);
     QTRY_VERIFY2(row()->errorText().contains("has no seed; give the coordinates"), qPrintable(row()->errorText()));
     QCOMPARE(area(), 72.0);  // the result before stays
+    QTest::mouseClick(row()->nameLabel(), Qt::LeftButton);
     QTest::mouseClick(row()->placeButton(), Qt::LeftButton);
     QVERIFY(window_->commands().find("tools.seeds")->isChecked() && row()->placeButton()->isChecked());
     clickInView(*window_, {-2, -2, 0});

@@ -303,7 +303,10 @@ class TestUnits : public QObject {
     QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at);
   }
   FilterRow* rowOfClearance() { return window_->filterList().rows()[1]; }
-  NumberField* field() { return qobject_cast<NumberField*>(rowOfClearance()->field(0)); }
+  NumberField* field() {
+    if (!rowOfClearance()->isOpen()) window_->filterList().choose({rowOfClearance()->entryId()});
+    return qobject_cast<NumberField*>(rowOfClearance()->field(0));
+  }
   QString figures() { return window_->findChild<QLabel*>("environmentFigures")->text(); }
   QString summary() { return window_->findChild<StatusLine*>()->state(); }
 

@@ -91,7 +91,7 @@ class TestEditorWindow : public QObject {
 
   void typedValuesKeepFullPrecisionAndRun() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    auto* field = qobject_cast<NumberField*>(window_->filterList().rows()[1]->field(0));
+    auto* field = openField(*window_, 1);
     QVERIFY(field);
     QTest::mouseDClick(field, Qt::LeftButton);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
@@ -116,7 +116,7 @@ class TestEditorWindow : public QObject {
   void invalidValuesAreToldAndNotTaken() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     FilterRow* row = window_->filterList().rows()[1];
-    auto* field = qobject_cast<NumberField*>(row->field(0));
+    auto* field = openField(*window_, 1);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "95");
     QCOMPARE(slopeOf(*window_), 9.0);  // the last valid one on the way
@@ -144,7 +144,9 @@ class TestEditorWindow : public QObject {
 
   void addsAndRemovesFilters() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    for (QAction* action : window_->filterList().addButton()->menu()->actions()) {
+    QMenu* menu = window_->filterList().addButton()->menu();
+    emit menu->aboutToShow();
+    for (QAction* action : menu->actions()) {
       if (action->data() == QVariant("LayerSubdivisionFilter")) action->trigger();
     }
     QCOMPARE(filterNames(*window_).back(), QString("LayerSubdivisionFilter"));

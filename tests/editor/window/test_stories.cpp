@@ -140,6 +140,7 @@ FilterRow* TestStories::row(const char* filter) {
 void TestStories::setParameter(const char* filter, const char* value) {
   FilterRow* found = row(filter);
   QVERIFY(found != nullptr);
+  window_->filterList().choose({found->entryId()});
   QWidget* field = found->field(0);
   field->setFocus();
   QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);

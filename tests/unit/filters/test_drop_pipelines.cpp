@@ -105,7 +105,7 @@ class TestDropPipelines : public QObject {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("expected");
     QTest::newRow("no clearance") << "SlopeFilter 45\nDropFilter 1\n"
-                                  << "p:2:1: DropFilter asks how high";
+                                  << "p:2:1: DropFilter needs VerticalClearanceFilter before it";
     QTest::newRow("zero") << "VerticalClearanceFilter 2\nDropFilter 0\n"
                           << "p:2:12: ";
     QTest::newRow("negative") << "VerticalClearanceFilter 2\nDropFilter -1\n"

@@ -215,7 +215,7 @@ class TestStepFilter : public QObject {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("expected");
     QTest::newRow("no clearance") << "SlopeFilter 45\nStepFilter 0.4\n"
-                                  << "p:2:1: StepFilter asks how high";
+                                  << "p:2:1: StepFilter needs VerticalClearanceFilter before it";
     QTest::newRow("zero") << "VerticalClearanceFilter 2\nStepFilter 0\n"
                           << "p:2:12: ";
     QTest::newRow("negative") << "VerticalClearanceFilter 2\nStepFilter -1\n"

@@ -1,0 +1,215 @@
+// Rows of the filter list: what they show of the run that is shown, how they open, are dragged, added and mended.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/editor/editor_driver.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0.5\n";
+
+}  // namespace
+
+class TestFilterRows : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<EditorWindow>();
+    window_->resize(1280, 800);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+  }
+  void cleanup() { window_.reset(); }
+
+  // Undo goes back to the result that is shown, whatever a failed, cancelled or overtaken run left.
+  void rowsShowTheRunThatIsShownAfterUndo() {
+    const QString figures = row(2)->figuresText();
+    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(row(4)->stateText(), QString("failed"));
+    undo();
+    expectShown(figures);
+    // A run that is overtaken, cancelled, and one that nobody waits for.
+    for (const int kind : {0, 1, 2}) {
+      window_->document().setValue(window_->document().filters()[1].id, 0, 30 + kind, kind);
+      if (kind == 0) window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, kind + 10);
+      if (kind == 1) window_->controller().cancel();
+      while (window_->document().undoStack()->index() > 0) undo();
+      QVERIFY(waitUntilIdle(*window_));
+      expectShown(figures);
+    }
+  }
+
+  void aCancelledRunLeavesOtherListsAlone() {
+    window_->document().setValue(window_->document().filters()[1].id, 0, 30, 1);
+    window_->controller().cancel();
+    QCOMPARE(row(0)->stateText(), QString("done"));
+    QCOMPARE(row(3)->stateText(), QString("cancelled"));
+    window_->controller().setAutomatic(false);
+    window_->document().setValue(window_->document().filters()[1].id, 0, 31, 2);
+    QCOMPARE(row(3)->stateText(), QString("out of date"));
+    undo();
+    QCOMPARE(row(3)->stateText(), QString("cancelled"));
+    undo();
+    QCOMPARE(row(3)->stateText(), QString("done"));
+  }
+
+  void aClickOnANameSelectsAndOpensTheRow() {
+    QTest::mouseClick(row(2)->nameLabel(), Qt::LeftButton);
+    QCOMPARE(selected(), (QList<int>{2}));
+    QCOMPARE(enabled(), (QList<bool>{true, true, true, true}));
+    QVERIFY(row(2)->field(0)->isVisible());
+    QVERIFY(!row(1)->field(0)->isVisible());
+    QCOMPARE(row(1)->summaryText(), QString::fromUtf8("45°"));
+    const int open = row(2)->height();
+    QTest::mouseClick(row(1)->nameLabel(), Qt::LeftButton);
+    QTRY_VERIFY(row(2)->height() < open);
+  }
+
+  // Not only by the dots. A press into several selected rows takes them all along.
+  void rowsAreDraggedByTheirHeader() {
+    QWidget* name = row(1)->nameLabel();
+    const QPoint below = name->mapFromGlobal(row(3)->mapToGlobal(QPoint(30, row(3)->height() - 2)));
+    QTest::mousePress(name, Qt::LeftButton);
+    QTest::mouseMove(name, name->rect().center() + QPoint(2, 1));  // a trembling hand drags nothing
+    QTest::mouseMove(name, below / 2);
+    QTest::mouseMove(name, below);
+    QTest::mouseRelease(name, Qt::LeftButton, Qt::NoModifier, below);
+    QCOMPARE(names(), (QStringList{"Degeneracy", "Clearance", "Area", "Slope"}));
+  }
+
+  void filtersAreAddedBehindTheSelection() {
+    click(2);
+    QMenu* menu = addMenu();
+    QCOMPARE(menu->actions().front()->text(), QString("Behind Vertical clearance"));
+    actionFor(menu, "StepFilter")->trigger();
+    QCOMPARE(names(), (QStringList{"Degeneracy", "Slope", "Clearance", "Step", "Area"}));
+    QCOMPARE(selected(), (QList<int>{3}));
+    QCOMPARE(undoText(), QString("Add Steps"));
+    // A strategy comes with its Collapse, around the local filters that follow.
+    click(0);
+    actionFor(addMenu(), "GridStrategy")->trigger();
+    QCOMPARE(names().mid(0, 5), (QStringList{"Degeneracy", "GridStrategy", "Slope", "Clearance", "Step"}));
+    QVERIFY(names().contains("Collapse"));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->controller().upToDate());
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(names(), (QStringList{"Degeneracy", "Slope", "Clearance", "Step", "Area"}));
+  }
+
+  void whatCannotRunThereSaysWhy() {
+    click(1);
+    const QAction* steps = actionFor(addMenu(), "StepFilter");
+    QVERIFY(!steps->isEnabled());
+    QCOMPARE(steps->text(), QString("Steps: needs Vertical clearance before it"));
+    QVERIFY(actionFor(addMenu(), "SlopeFilter")->isEnabled());
+    window_->document().replacePipeline(
+        parsePipeline("GridStrategy 2 2\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n", "test"), "test");
+    click(1);
+    QMenu* menu = addMenu();
+    QVERIFY(actionFor(menu, "DegeneracyFilter")->isEnabled());
+    for (const char* filter : {"GridStrategy", "Collapse", "LayerSubdivisionFilter"})
+      QVERIFY2(!actionFor(menu, filter)->isEnabled(), filter);
+  }
+
+  // Switching off the clearance leaves out what needs it; one click brings it back.
+  void rowsWithoutTheirClearanceAreSkipped() {
+    window_->document().replacePipeline(
+        parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nAreaFilter 0.5\n", "test"), "test");
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(row(2)->stateText(), QString("done"));
+    click(1);
+    key(Qt::Key_Space);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(window_->controller().upToDate());
+    QVERIFY(window_->messageBar().text().isEmpty());
+    QCOMPARE(row(2)->stateText(), QString("skipped"));
+    QCOMPARE(row(2)->errorText(), QString("needs Vertical clearance"));
+    QVERIFY(row(2)->mendButton()->isVisible());
+    QCOMPARE(row(2)->mendButton()->text(), QString("Switch Vertical clearance on"));
+    QCOMPARE(row(3)->stateText(), QString("done"));
+    QTest::mouseClick(row(2)->mendButton(), Qt::LeftButton);
+    QTRY_COMPARE(enabled(), (QList<bool>{true, true, true, true}));
+    QVERIFY(waitUntilIdle(*window_));
+    for (int i = 0; i < 4; ++i) QVERIFY(!row(i)->mendButton()->isVisible());
+    // Without one in the list, it is added.
+    click(1);
+    key(Qt::Key_Delete);
+    QTRY_COMPARE(row(1)->stateText(), QString("skipped"));
+    QCOMPARE(row(1)->mendButton()->text(), QString("Add Vertical clearance"));
+    QTest::mouseClick(row(1)->mendButton(), Qt::LeftButton);
+    QTRY_COMPARE(names(), (QStringList{"Slope", "Clearance", "Step", "Area"}));
+    QVERIFY(waitUntilIdle(*window_));
+  }
+
+  // What the list itself shows to be wrong is on its row before anything runs.
+  void errorsAreForeseen() {
+    window_->controller().setAutomatic(false);
+    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
+    QCOMPARE(row(4)->stateText(), QString("failed"));
+    QVERIFY(row(4)->errorText().contains("Collapse ends no parallel block"));
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(names().size(), 4);
+    for (int i = 0; i < 4; ++i) QCOMPARE(row(i)->stateText(), QString("done"));
+  }
+
+ private:
+  FilterRow* row(int index) { return window_->filterList().rows()[static_cast<std::size_t>(index)]; }
+  void click(int index) { QTest::mouseClick(row(index)->nameLabel(), Qt::LeftButton); }
+  void key(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
+  void undo() { window_->document().undoStack()->undo(); }
+  void expectShown(const QString& figures) {
+    QCOMPARE(names().size(), 4);
+    QVERIFY(window_->controller().upToDate());
+    for (int i = 0; i < 4; ++i) {
+      QVERIFY2(row(i)->stateText() == "done" || row(i)->stateText() == "cached", qPrintable(row(i)->stateText()));
+      QVERIFY(row(i)->errorText().isEmpty());
+    }
+    const auto& steps = window_->controller().finishedRun()->result.steps;
+    const StepStatus status = window_->controller().status(row(2)->entryId());
+    QCOMPARE(status.trianglesIn.value(), steps[2].in.triangles);
+    QCOMPARE(status.trianglesOut.value(), steps[2].out.triangles);
+    QCOMPARE(row(2)->figuresText(), figures);
+  }
+  QMenu* addMenu() {
+    QMenu* menu = window_->filterList().addButton()->menu();
+    emit menu->aboutToShow();
+    return menu;
+  }
+  static QAction* actionFor(QMenu* menu, const char* filter) {
+    for (QAction* action : menu->actions()) {
+      if (action->data() == QVariant(filter)) return action;
+    }
+    qFatal("no filter %s", filter);
+  }
+  QString undoText() { return window_->document().undoStack()->undoText(); }
+  QList<int> selected() {
+    QList<int> indices;
+    for (std::size_t i = 0; i < window_->filterList().rows().size(); ++i) {
+      if (window_->filterList().selection().contains(window_->filterList().rows()[i]->entryId()))
+        indices << static_cast<int>(i);
+    }
+    return indices;
+  }
+  QList<bool> enabled() {
+    QList<bool> on;
+    for (const FilterEntry& entry : window_->document().filters()) on << entry.step.enabled;
+    return on;
+  }
+  QStringList names() {
+    QStringList names;
+    for (QString name : filterNames(*window_)) names << name.replace("VerticalClearance", "Clearance").remove("Filter");
+    return names;
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+};
+
+FOOTFALL_EDITOR_SUITE(TestFilterRows)
+#include "test_filter_rows.moc"
