@@ -52,6 +52,14 @@ std::array<PhaseTime, 6> phasesOf(const RunTimes& times) {
            {BusyPlot::tr("overhead"), times.overhead, {214, 219, 226}}}};
 }
 
+std::array<PhaseTime, 5> timesOf(const TimeUse& use) {
+  return {{{BusyPlot::tr("cells"), use.cells, toColour(kBlue)},
+           {BusyPlot::tr("other steps"), use.steps, {128, 140, 156}},
+           {BusyPlot::tr("waiting for work"), use.waitingForWork, {226, 170, 150}},
+           {BusyPlot::tr("waiting for a serial step"), use.waitingForStep, {200, 206, 213}},
+           {BusyPlot::tr("other programs"), use.otherPrograms, toColour(kVermilion)}}};
+}
+
 BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
   setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
   setObjectName(QStringLiteral("busyPlot"));
@@ -142,13 +150,16 @@ PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
   yAxis->setRange(-0.5, 0.5);
 }
 
-void PhasePlot::show(const RunTimes& times) {
-  const std::array<PhaseTime, 6> phases = phasesOf(times);
+void PhasePlot::show(const RunTimes& times) { showTimes(phasesOf(times)); }
+
+void PhasePlot::show(const TimeUse& use) { showTimes(timesOf(use)); }
+
+void PhasePlot::showTimes(std::span<const PhaseTime> phases) {
   double sum = 0;
-  for (std::size_t i = 0; i < phases.size(); ++i) {
-    const double time = std::max(0.0, phases[i].milliseconds);
+  for (std::size_t i = 0; i < bars_.size(); ++i) {
+    const double time = i < phases.size() ? std::max(0.0, phases[i].milliseconds) : 0;
     bars_[i]->setData({0.0}, {time});
-    bars_[i]->setBrush(phases[i].colour);
+    if (i < phases.size()) bars_[i]->setBrush(phases[i].colour);
     sum += time;
   }
   xAxis->setRange(0, sum > 0 ? sum : 1);

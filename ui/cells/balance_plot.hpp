@@ -5,8 +5,10 @@
 #include <qcustomplot.h>
 
 #include <array>
+#include <span>
 
 #include "ui/cells/cell_model.hpp"
+#include "ui/cells/timeline.hpp"
 
 namespace footfall::ui {
 
@@ -26,6 +28,9 @@ struct PhaseTime {
   QColor colour;
 };
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times);
+
+/// Where the time of all threads went (TimeUse), in the order in which it is shown.
+std::array<PhaseTime, 5> timesOf(const TimeUse& use);
 
 /// One bar a thread, or a rank where there are ranks: how long it was busy with cells; a line at the mean.
 class BusyPlot : public QCustomPlot {
@@ -50,16 +55,19 @@ class BusyPlot : public QCustomPlot {
   bool planned_ = false, hasRanks_ = false;
 };
 
-/// One bar for the run, a piece for each phase.
+/// One bar for the run, a piece for each phase, or for each use of the threads' time.
 class PhasePlot : public QCustomPlot {
   Q_OBJECT
 
  public:
   explicit PhasePlot(QWidget* parent = nullptr);
   void show(const RunTimes& times);
+  void show(const TimeUse& use);
   [[nodiscard]] const std::array<QCPBars*, 6>& bars() const { return bars_; }
 
  private:
+  void showTimes(std::span<const PhaseTime> phases);
+
   std::array<QCPBars*, 6> bars_{};
 };
 

@@ -143,7 +143,7 @@ void CellLegend::describeThreads(const CellScale& scale) {
 
 void CellLegend::describeScale(const CellScale& scale) {
   colours_->setPixmap(scaleSwatch(devicePixelRatioF()));
-  QString text = tr("0 to %1").arg(valueText(scale.shown(), scale.maximum()));
+  QString text = tr("0 to %1").arg(valueText(scale.shown(), scale.darkest()));
   switch (scale.shown()) {
     case CellColouring::Time:
       text += tr(" of work");
@@ -157,6 +157,11 @@ void CellLegend::describeScale(const CellScale& scale) {
     case CellColouring::Thread:
       break;
   }
+  if (scale.darkest() < scale.maximum())
+    text += QLatin1Char('\n') + tr("More: darkest; at most %1").arg(valueText(scale.shown(), scale.maximum()));
+  const CellBlock* block = model_.shownBlock();
+  if (!block->begun() && model_.colouring() != CellColouring::Cost)
+    text += QLatin1Char('\n') + tr("Nothing has run yet: an estimate stands in");
   text_->setText(text);
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/base/filter_text.hpp"
 #include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
@@ -140,7 +141,7 @@ QString CellModel::describe(CellId id) const {
     std::vector<std::pair<QString, double>> filters;
     for (const CellSpan& span : cell.spans) {
       threads[span.thread] += span.endMs - span.startMs;
-      const QString name = QString::fromStdString(span.filter);
+      const QString name = filterName(span.filter);
       auto known = std::ranges::find(filters, name, &std::pair<QString, double>::first);
       if (known == filters.end()) known = filters.insert(known, {name, 0});
       known->second += span.endMs - span.startMs;

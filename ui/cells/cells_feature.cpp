@@ -22,7 +22,7 @@ CellsFeature::CellsFeature(const FeatureHost& host, LevelView& view, ViewLayout&
       controller_(controller),
       sections_(host.sections),
       legend_(new CellLegend(model_, &view)),
-      panel_(new LoadPanel(model_, threads_, places_, &host.window)),
+      panel_(new LoadPanel(model_, threads_, places_, measurement_, &host.window)),
       dock_(panels_.addDock(tr("Load"), QStringLiteral("loadDock"), panel_, Qt::BottomDockWidgetArea)),
       watch_(new CellWatch(document, controller, view, model_, this)) {
   legend_->hide();
@@ -31,6 +31,7 @@ CellsFeature::CellsFeature(const FeatureHost& host, LevelView& view, ViewLayout&
   dock_->hide();
   addCommands(host.commands);
   connectParts(host, filters);
+  connectMeasurement(host.messages);
 }
 
 // What looks at cells goes before them.
@@ -128,6 +129,40 @@ void CellsFeature::connectParts(const FeatureHost& host, FilterList& filters) {
   connect(watch_, &CellWatch::blockChanged, this, &CellsFeature::describeEmptyState);
   connect(&file_, &LevelFile::opened, this, &CellsFeature::chooseLegend);
   connect(&file_, &LevelFile::opened, this, &CellsFeature::describeEmptyState);
+}
+
+// A measurement has the processors for itself: a run of the list ends it, and its figures with it.
+void CellsFeature::connectMeasurement(MessageBar& messages) {
+  connect(&panel_->measurePage(), &MeasurePage::requested, this, &CellsFeature::measureAgain);
+  connect(&measurement_, &LoadMeasurement::finished, this, [this] {
+    const std::vector<MeasuredRun>& runs = measurement_.runs();
+    if (!runs.empty()) model_.setBlocks(blocksOf(runs[medianRun(runs)]));
+  });
+  connect(&measurement_, &LoadMeasurement::failed, &messages, &MessageBar::showError);
+  connect(&controller_, &RunController::started, &measurement_, &LoadMeasurement::clear);
+  connect(&document_, &Document::filtersChanged, &measurement_, &LoadMeasurement::clear);
+  connect(&file_, &LevelFile::opened, &measurement_, &LoadMeasurement::clear);
+  connect(&threads_, &RunThreads::changed, &measurement_, &LoadMeasurement::clear);
+  for (const auto& signal : {&RunController::started, &RunController::finished, &RunController::cancelled})
+    connect(&controller_, signal, this, &CellsFeature::describeObstacle);
+  connect(&places_, &RunPlaces::changed, this, &CellsFeature::describeObstacle);
+  describeObstacle();
+}
+
+void CellsFeature::describeObstacle() {
+  QString text;
+  if (!controller_.environment())
+    text = tr("Open an environment first.");
+  else if (places_.chosen().kind != RunPlace::Kind::ThisProcess)
+    text = tr("Only runs of this program can be measured; choose it under Run on.");
+  else if (controller_.busy())
+    text = tr("A run is under way; measure when it has finished.");
+  panel_->measurePage().setObstacle(text);
+}
+
+void CellsFeature::measureAgain(int count) {
+  if (!controller_.environment() || controller_.busy()) return;
+  measurement_.start(controller_.environment(), document_.pipeline(), threads_.chosen(), count);
 }
 
 void CellsFeature::describeEmptyState() {

@@ -10,6 +10,7 @@
 #include "ui/cells/cell_model.hpp"
 #include "ui/cells/cell_watch.hpp"
 #include "ui/cells/cells_shown.hpp"
+#include "ui/cells/load_measurement.hpp"
 #include "ui/cells/load_panel.hpp"
 #include "ui/document/document.hpp"
 #include "ui/filters/filter_list.hpp"
@@ -41,6 +42,7 @@ class CellsFeature : public QObject {
   [[nodiscard]] CellWatch& watch() { return *watch_; }
   [[nodiscard]] CellLegend& legend() { return *legend_; }
   [[nodiscard]] LoadPanel& panel() { return *panel_; }
+  [[nodiscard]] LoadMeasurement& measurement() { return measurement_; }
   [[nodiscard]] RunThreads& threads() { return threads_; }
   [[nodiscard]] RunPlaces& places() { return places_; }
 
@@ -51,6 +53,9 @@ class CellsFeature : public QObject {
   void chooseLegend();
   void askForPlace(RunPlace::Kind kind);
   void describeEmptyState();
+  void connectMeasurement(MessageBar& messages);
+  void measureAgain(int count);
+  void describeObstacle();
 
   Panels& panels_;
   ViewLayout& layout_;
@@ -59,6 +64,7 @@ class CellsFeature : public QObject {
   RunController& controller_;
   SessionSections& sections_;
   CellModel model_;
+  LoadMeasurement measurement_;
   RunThreads threads_;
   RunPlaces places_;
   CellLegend* legend_;

@@ -5,9 +5,11 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <span>
 
 #include "core/partitioning/load_balancing.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/filter_text.hpp"
 #include "ui/base/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
@@ -22,12 +24,24 @@ QString swatch(const QColor& colour) {
   return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
 }
 
-QString escaped(const std::string& text) { return QString::fromStdString(text).toHtmlEscaped(); }
+// Two columns.
+QString tableOf(std::span<const PhaseTime> phases) {
+  QString text = QStringLiteral("<table width='100%' cellspacing=0 cellpadding=0>");
+  for (std::size_t i = 0; i < phases.size(); i += 2) {
+    text += QStringLiteral("<tr>");
+    for (std::size_t k = i; k < std::min(i + 2, phases.size()); ++k)
+      text += QStringLiteral("<td>%1%2&nbsp;</td><td align='right'>%3&nbsp;&nbsp;&nbsp;</td>")
+                  .arg(swatch(phases[k].colour), phases[k].name.toHtmlEscaped(), durationText(phases[k].milliseconds));
+    text += QStringLiteral("</tr>");
+  }
+  return text + QStringLiteral("</table>");
+}
 
 }  // namespace
 
-LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, QWidget* parent)
-    : QWidget(parent), model_(model) {
+LoadPanel::LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, LoadMeasurement& measurement,
+                     QWidget* parent)
+    : QWidget(parent), model_(model), measure_(new MeasurePage(measurement, this)) {
   setObjectName(QStringLiteral("loadPanel"));
   makeThreadBox(threads);
   makePlaceBox(places);
@@ -156,22 +170,39 @@ QWidget* LoadPanel::makeContentPage() {
 }
 
 QWidget* LoadPanel::makeFigures() {
-  auto* right = new QWidget(this);
-  figures_ = new QLabel(right);
-  figures_->setTextFormat(Qt::RichText);
-  busy_ = new BusyPlot(right);
+  pages_ = new QTabWidget(this);
+  pages_->setDocumentMode(true);
+  pages_->setFocusPolicy(Qt::TabFocus);
+  const auto page = [this](const QString& name, std::initializer_list<QWidget*> parts, QWidget* stretched) {
+    auto* widget = new QWidget(pages_);
+    auto* layout = new QVBoxLayout(widget);
+    layout->setContentsMargins(6, 2, 0, 0);
+    layout->setSpacing(3);
+    for (QWidget* part : parts) layout->addWidget(part, part == stretched ? 1 : 0);
+    if (!stretched) layout->addStretch(1);
+    pages_->addTab(widget, name);
+  };
+  const auto label = [this] {
+    auto* text = new QLabel(this);
+    text->setTextFormat(Qt::RichText);
+    return text;
+  };
+  figures_ = label();
+  busy_ = new BusyPlot(this);
   busy_->setMinimumWidth(kPlotWidth);  // not of all: the texts may need more
-  phases_ = new PhasePlot(right);
-  phaseTexts_ = new QLabel(right);
-  phaseTexts_->setTextFormat(Qt::RichText);
-  auto* layout = new QVBoxLayout(right);
-  layout->setContentsMargins(6, 0, 0, 0);
-  layout->setSpacing(3);
-  layout->addWidget(figures_);
-  layout->addWidget(busy_, 1);
-  layout->addWidget(phases_);
-  layout->addWidget(phaseTexts_);
-  return right;
+  use_ = new PhasePlot(this);
+  use_->setObjectName(QStringLiteral("usePlot"));
+  use_->setAccessibleName(tr("Where the time of all threads went"));
+  useTexts_ = label();
+  page(tr("Threads"), {figures_, busy_, use_, useTexts_}, busy_);
+  histogram_ = new HistogramPlot(this);
+  histogramText_ = label();
+  page(tr("Cells"), {histogram_, histogramText_}, histogram_);
+  phases_ = new PhasePlot(this);
+  phaseTexts_ = label();
+  page(tr("Phases"), {phases_, phaseTexts_}, nullptr);
+  pages_->addTab(measure_, tr("Measure"));
+  return pages_;
 }
 
 void LoadPanel::setPipeline(bool hasEnvironment, bool hasBlock) {
@@ -200,7 +231,8 @@ void LoadPanel::refresh() {
   const CellBlock* block = model_.shownBlock();
   showPage(block ? 1 : 0);
   if (!block) return;
-  QString text = QStringLiteral("<b>%1</b>&nbsp; · &nbsp;").arg(escaped(block->report.strategy));
+  QString text =
+      QStringLiteral("<b>%1</b>&nbsp; · &nbsp;").arg(ui::strategyText(block->report.strategy).toHtmlEscaped());
   const std::size_t cells = block->report.cells.size();
   const auto finished = static_cast<std::size_t>(std::ranges::count(block->finished, 1));
   const QString count = cells == 1 ? tr("1 cell") : tr("%1 cells").arg(cells);
@@ -211,6 +243,11 @@ void LoadPanel::refresh() {
   } else {
     text += count;
   }
+  if (block->origin == CellBlock::Origin::Cache)
+    text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("from the cache: figures of the run that computed it") +
+            QStringLiteral("</b>");
+  if (block->origin == CellBlock::Origin::Measured)
+    text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("measured: the median run") + QStringLiteral("</b>");
   if (!block->report.reason.empty())
     text += QStringLiteral("&nbsp; · &nbsp;") + coreText(block->report.reason).toHtmlEscaped();
   strategy_->setText(text);
@@ -225,7 +262,24 @@ void LoadPanel::refresh() {
   block_->setCurrentIndex(static_cast<int>(model_.shownIndex()));
   showFigures(*block);
   showPhases(*block);
+  showTimeUse(*block);
+  histogram_->show(*block);
+  histogramText_->setText(block->begun() ? histogram_->summary().toHtmlEscaped()
+                                         : tr("No cell has run yet.").toHtmlEscaped());
   showFilters();
+}
+
+// Only of finished runs: what waits while a run goes on is not known yet.
+void LoadPanel::showTimeUse(const CellBlock& block) {
+  const bool known = block.complete();
+  use_->setVisible(known);
+  useTexts_->setVisible(known);
+  if (!known) return;
+  const TimeUse use = timeUse(timeline_->timeline());
+  use_->show(use);
+  useTexts_->setText(tableOf(timesOf(use)));
+  use_->setToolTip(
+      tr("The time of all threads from the beginning of the run to its end: %1").arg(durationText(use.total())));
 }
 
 void LoadPanel::showFigures(const CellBlock& block) {
@@ -264,26 +318,17 @@ void LoadPanel::showPhases(const CellBlock& block) {
   phaseTexts_->setVisible(known);
   if (!known) return;
   phases_->show(block.run->times);
-  const std::array<PhaseTime, 6> phases = phasesOf(block.run->times);
-  QString text = QStringLiteral("<table width='100%' cellspacing=0 cellpadding=0>");
-  for (std::size_t i = 0; i < phases.size(); i += 2) {
-    text += QStringLiteral("<tr>");
-    for (const PhaseTime& phase : {phases[i], phases[i + 1]}) {
-      text += QStringLiteral("<td>%1%2&nbsp;</td><td align='right'>%3&nbsp;&nbsp;&nbsp;</td>")
-                  .arg(swatch(phase.colour), phase.name.toHtmlEscaped(), durationText(phase.milliseconds));
-    }
-    text += QStringLiteral("</tr>");
-  }
-  phaseTexts_->setText(text + QStringLiteral("</table>"));
+  phaseTexts_->setText(tableOf(phasesOf(block.run->times)));
   phases_->setToolTip(tr("The whole run: %1").arg(durationText(block.run->times.total)));
 }
 
 void LoadPanel::showFilters() {
   const std::vector<std::string>& names = timeline_->timeline().filters;
   QStringList parts;
-  for (std::size_t i = 0; i < names.size(); ++i) parts << swatch(filterColour(i)) + escaped(names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    parts << swatch(filterColour(i)) + filterName(names[i]).toHtmlEscaped();
   if (!names.empty()) {
-    parts << tr("hatched: idle");
+    parts << tr("hatched: waiting for work") << tr("dotted: waiting for a serial step");
     filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
   } else {
     filters_->setText(timeline_->timeline().planned

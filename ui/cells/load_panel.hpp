@@ -7,9 +7,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QStackedWidget>
+#include <QTabWidget>
 
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/cell_model.hpp"
+#include "ui/cells/histogram_plot.hpp"
+#include "ui/cells/measure_page.hpp"
 #include "ui/cells/timeline_plot.hpp"
 #include "ui/run/run_places.hpp"
 
@@ -19,7 +22,8 @@ class LoadPanel : public QWidget {
   Q_OBJECT
 
  public:
-  LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, QWidget* parent = nullptr);
+  LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, LoadMeasurement& measurement,
+            QWidget* parent = nullptr);
 
   /// What to say, and whether to offer a block, while there are no cells.
   void setPipeline(bool hasEnvironment, bool hasBlock);
@@ -27,6 +31,12 @@ class LoadPanel : public QWidget {
   [[nodiscard]] TimelinePlot& timeline() const { return *timeline_; }
   [[nodiscard]] BusyPlot& busyPlot() const { return *busy_; }
   [[nodiscard]] PhasePlot& phasePlot() const { return *phases_; }
+  [[nodiscard]] PhasePlot& usePlot() const { return *use_; }
+  [[nodiscard]] QString useText() const { return useTexts_->text(); }
+  [[nodiscard]] HistogramPlot& histogram() const { return *histogram_; }
+  [[nodiscard]] MeasurePage& measurePage() const { return *measure_; }
+  /// Threads, Cells, Phases, Measure.
+  [[nodiscard]] QTabWidget& pages() const { return *pages_; }
   /// Null where nothing is offered.
   [[nodiscard]] QPushButton* parallelButton() const { return parallel_; }
   [[nodiscard]] bool showsEmptyState() const { return stack_->currentIndex() == 0; }
@@ -51,6 +61,7 @@ class LoadPanel : public QWidget {
   void showPage(int page);
   void showFigures(const CellBlock& block);
   void showPhases(const CellBlock& block);
+  void showTimeUse(const CellBlock& block);
   void showFilters();
 
   CellModel& model_;
@@ -68,6 +79,12 @@ class LoadPanel : public QWidget {
   BusyPlot* busy_;
   PhasePlot* phases_;
   QLabel* phaseTexts_;
+  QTabWidget* pages_;
+  PhasePlot* use_;
+  QLabel* useTexts_;
+  HistogramPlot* histogram_;
+  QLabel* histogramText_;
+  MeasurePage* measure_;
 };
 
 }  // namespace footfall::ui

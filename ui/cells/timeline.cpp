@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 #include "core/partitioning/load_balancing.hpp"
 #include "ui/base/namespaces.hpp"
@@ -54,7 +55,79 @@ void addBars(std::vector<Work>& work, Timeline& timeline) {
   }
 }
 
+Timeline::Serial::Kind kindOf(RunPart::Kind kind) {
+  switch (kind) {
+    case RunPart::Kind::Start:
+      return Timeline::Serial::Kind::Start;
+    case RunPart::Kind::Step:
+      return Timeline::Serial::Kind::Step;
+    case RunPart::Kind::Finish:
+      break;
+  }
+  return Timeline::Serial::Kind::Finish;
+}
+
+// The run is covered from its beginning to its end: what lies between two parts is one, too.
+void addSerial(const RunFigures& run, Timeline& timeline) {
+  constexpr double kGap = 0.5;  // ms; less is the clock's
+  std::vector<Timeline::Serial>& serial = timeline.serial;
+  std::vector<std::pair<double, double>> covered;
+  for (const RunPart& part : run.parts)
+    serial.push_back({kindOf(part.kind), part.filter, part.startMs, part.endMs, part.cpuMs});
+  for (const Timeline::Band& band : timeline.bands) {
+    covered.emplace_back(band.start, band.end);
+    if (band.phase == Timeline::Phase::Parallel || band.end <= band.start) continue;
+    const bool cuts = band.phase == Timeline::Phase::Partitioning;
+    serial.push_back(
+        {cuts ? Timeline::Serial::Kind::Partitioning : Timeline::Serial::Kind::Merging, {}, band.start, band.end, -1});
+  }
+  for (const RunPart& part : run.parts) covered.emplace_back(part.startMs, part.endMs);
+  std::ranges::sort(covered);
+  double end = 0;
+  if (!run.parts.empty()) covered.emplace_back(run.times.total, run.times.total);
+  for (const auto& [from, to] : covered) {
+    if (!run.parts.empty() && from - end > kGap) serial.push_back({Timeline::Serial::Kind::Between, {}, end, from, -1});
+    end = std::max(end, to);
+  }
+  for (Timeline::Serial& part : serial) {
+    const double length = part.end - part.start;
+    const double cpu = part.threads;  // milliseconds so far
+    part.threads = 1;
+    if (length <= 0) continue;
+    if (run.processors.known())
+      part.threads = run.processors.cpuMs(part.start, part.end) / length;
+    else if (cpu >= 0)
+      part.threads = cpu / length;
+    part.threads = std::clamp(part.threads, 0.0, std::max(1.0, static_cast<double>(timeline.lanes)));
+  }
+  std::ranges::sort(serial, {}, &Timeline::Serial::start);
+}
+
 }  // namespace
+
+TimeUse timeUse(const Timeline& timeline) {
+  TimeUse use;
+  const double lanes = timeline.lanes;
+  for (const Timeline::Serial& part : timeline.serial) {
+    const double whole = lanes * (part.end - part.start);
+    const double busy = std::min(whole, part.threads * (part.end - part.start));
+    const double others = std::min(timeline.processors.waitedMs(part.start, part.end), whole - busy);
+    use.steps += busy;
+    use.otherPrograms += others;
+    use.waitingForStep += whole - busy - others;
+  }
+  for (const Timeline::Band& band : timeline.bands) {
+    if (band.phase != Timeline::Phase::Parallel) continue;
+    double busy = 0;
+    for (const Timeline::Bar& bar : timeline.bars)
+      busy += std::max(0.0, std::min(bar.end, band.end) - std::max(bar.start, band.start));
+    const double others = std::min(timeline.processors.waitedMs(band.start, band.end), busy);
+    use.cells += busy - others;
+    use.otherPrograms += others;
+    use.waitingForWork += std::max(0.0, lanes * (band.end - band.start) - busy);
+  }
+  return use;
+}
 
 const Timeline::Bar* Timeline::at(int lane, double time) const {
   const auto after = std::ranges::upper_bound(bars, std::pair{lane, time}, {}, [](const Bar& bar) {
@@ -102,6 +175,10 @@ Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown) {
   std::ranges::sort(work, {}, [](const Work& piece) { return piece.span->startMs; });
   for (const Work& piece : work) numberOf(piece.span->filter, timeline.filters);  // numbered as they come
   addBars(work, timeline);
+  if (blocks[shown].run) {
+    addSerial(*blocks[shown].run, timeline);
+    timeline.processors = blocks[shown].run->processors;
+  }
   bool first = true;
   const auto cover = [&](double start, double end) {
     timeline.start = first ? start : std::min(timeline.start, start);
@@ -110,6 +187,7 @@ Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown) {
   };
   for (const Timeline::Band& band : timeline.bands) cover(band.start, band.end);
   for (const Timeline::Bar& bar : timeline.bars) cover(bar.start, bar.end);
+  for (const Timeline::Serial& part : timeline.serial) cover(part.start, part.end);
   return timeline;
 }
 

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <tuple>
 
+#include "footfall/filter.hpp"
+#include "ui/base/filter_text.hpp"
+#include "ui/base/palette.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/view/appearance.hpp"
@@ -30,6 +33,44 @@ QString labelOf(Timeline::Phase phase) {
   }
   return {};
 }
+
+QString labelOf(const Timeline::Serial& part) {
+  using Kind = Timeline::Serial::Kind;
+  switch (part.kind) {
+    case Kind::Start:
+      return TimelineLanes::tr("first state");
+    case Kind::Step:
+      if (const FilterDescriptor* filter = findFilter(part.filter)) return filterText(filter->label);
+      break;
+    case Kind::Between:
+      return TimelineLanes::tr("between the steps");
+    case Kind::Partitioning:
+      return labelOf(Timeline::Phase::Partitioning);
+    case Kind::Merging:
+      return labelOf(Timeline::Phase::Merging);
+    case Kind::Finish:
+      return TimelineLanes::tr("navigation mesh");
+  }
+  return QString::fromStdString(part.filter);
+}
+
+namespace {
+
+QColor serialColour(Timeline::Serial::Kind kind) {
+  switch (kind) {
+    case Timeline::Serial::Kind::Partitioning:
+      return toColour(kOrange);
+    case Timeline::Serial::Kind::Merging:
+      return toColour(kReddishPurple);
+    case Timeline::Serial::Kind::Between:
+      return {184, 190, 198};
+    default:
+      break;
+  }
+  return {128, 140, 156};
+}
+
+}  // namespace
 
 TimelineLanes::TimelineLanes(QCPAxis* time, QCPAxis* lanes, const CellModel& model, const Timeline& timeline)
     : QCPAbstractPlottable(time, lanes), model_(model), timeline_(timeline) {
@@ -73,6 +114,8 @@ void TimelineLanes::draw(QCPPainter* painter) {
   painter->setAntialiasing(false);
   drawBands(painter);
   drawIdle(painter);
+  drawSerial(painter);
+  drawOthers(painter);
   const QCPRange seen = mKeyAxis->range();
   for (const Timeline::Bar& bar : timeline_.bars) {
     if (bar.end >= seen.lower && bar.start <= seen.upper) drawBar(painter, bar);
@@ -112,6 +155,45 @@ void TimelineLanes::drawIdle(QCPPainter* painter) const {
   }
 }
 
+// What keeps few threads busy fills as much of the lanes' height as it has of the threads; the rest of them waits.
+void TimelineLanes::drawSerial(QCPPainter* painter) const {
+  const QCPRange seen = mKeyAxis->range();
+  const double lanes = timeline_.lanes;
+  const QColor waiting = isDarkTheme() ? QColor(86, 94, 104) : QColor(190, 197, 205);
+  for (const Timeline::Serial& part : timeline_.serial) {
+    if (part.end < seen.lower || part.start > seen.upper) continue;
+    const QRectF first = place(0, part.start, part.end, 0, 1);
+    const QRectF last = place(timeline_.lanes - 1, part.start, part.end, 0, 1);
+    QRectF whole(first.topLeft(), last.bottomRight());
+    whole.setWidth(std::max(1.0, whole.width()));
+    painter->fillRect(whole, QBrush(waiting, Qt::Dense6Pattern));
+    QRectF busy = whole;
+    busy.setHeight(std::clamp(part.threads / std::max(1.0, lanes), 0.0, 1.0) * whole.height());
+    const QColor colour = serialColour(part.kind);
+    painter->fillRect(busy, colour);
+    painter->setPen(plotLineColour());
+    painter->drawLine(whole.topLeft(), whole.bottomLeft());
+    const QString text = labelOf(part);
+    if (QFontMetricsF(painter->font()).horizontalAdvance(text) + 6 > whole.width()) continue;
+    const bool fits = busy.height() >= 13;
+    painter->setPen(fits ? textOn(colour) : fainterTextColour());
+    painter->drawText(fits ? busy : QRectF(whole.left(), busy.bottom(), whole.width(), 15), Qt::AlignCenter, text);
+  }
+}
+
+// The lane below those of the threads: how many threads waited for a processor.
+void TimelineLanes::drawOthers(QCPPainter* painter) const {
+  const std::vector<ProcessorSample>& samples = timeline_.processors.samples;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const double length = samples[i].atMs - samples[i - 1].atMs;
+    if (length <= 0) continue;
+    const double waiting = (samples[i].waitedMs - samples[i - 1].waitedMs) / length / std::max(1, timeline_.lanes);
+    painter->fillRect(
+        place(timeline_.lanes, samples[i - 1].atMs, samples[i].atMs, 1 - std::clamp(waiting, 0.0, 1.0), 1),
+        toColour(kVermilion));
+  }
+}
+
 void TimelineLanes::drawBar(QCPPainter* painter, const Timeline::Bar& bar) const {
   const QColor colour = colourOf(bar);
   QRectF whole = place(bar.lane, bar.start, bar.end, 0, 1);
@@ -122,7 +204,7 @@ void TimelineLanes::drawBar(QCPPainter* painter, const Timeline::Bar& bar) const
       const QRectF box = place(bar.lane, segment.start, segment.end, kSplit, 1);
       const QColor shade = filterColour(segment.filter);
       painter->fillRect(box, shade);
-      const QString name = QString::fromStdString(timeline_.filters[segment.filter]);
+      const QString name = filterName(timeline_.filters[segment.filter]);
       if (QFontMetricsF(painter->font()).horizontalAdvance(name) + 6 > box.width() || box.height() < 12) continue;
       painter->setPen(textOn(shade));
       painter->drawText(box, Qt::AlignCenter, name);

@@ -33,6 +33,8 @@ class TimelineLanes : public QCPAbstractPlottable {
   [[nodiscard]] QRectF place(int lane, double start, double end, double from, double to) const;
   void drawIdle(QCPPainter* painter) const;
   void drawBands(QCPPainter* painter) const;
+  void drawSerial(QCPPainter* painter) const;
+  void drawOthers(QCPPainter* painter) const;
   void drawBar(QCPPainter* painter, const Timeline::Bar& bar) const;
   void drawMark(QCPPainter* painter, const std::optional<CellId>& cell, const QColor& colour) const;
   [[nodiscard]] QColor colourOf(const Timeline::Bar& bar) const;
@@ -43,5 +45,6 @@ class TimelineLanes : public QCPAbstractPlottable {
 };
 
 QString labelOf(Timeline::Phase phase);
+QString labelOf(const Timeline::Serial& part);
 
 }  // namespace footfall::ui

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/base/filter_text.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/cells/balance_plot.hpp"
@@ -64,8 +65,11 @@ void TimelinePlot::rebuild() {
   const int step = std::max(1, timeline_.lanes / 16);
   const CellRanks ranks = model_.empty() ? CellRanks() : model_.shownBlock()->ranks;
   for (int lane = 0; lane < timeline_.lanes; lane += step) ticker->addTick(lane, threadName(ranks, lane));
+  const bool hasOthers = timeline_.processors.known();
+  if (hasOthers) ticker->addTick(timeline_.lanes, tr("Others"));
   yAxis->setTicker(ticker);
-  yAxis->setRange(-0.5 - kHead * std::max(1.0, timeline_.lanes / 4.0), std::max(1, timeline_.lanes) - 0.5);
+  yAxis->setRange(-0.5 - kHead * std::max(1.0, timeline_.lanes / 4.0),
+                  std::max(1, timeline_.lanes) - 0.5 + (hasOthers ? 1 : 0));
   // A run that goes on stays in sight as a whole; what somebody has zoomed into of a finished one stays too.
   const auto& blocks = model_.blocks();
   const auto run = blocks.empty() ? nullptr : blocks[model_.shownIndex()].run;
@@ -121,7 +125,7 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
   for (const Timeline::Segment& segment : bar.segments) {
     if (time < segment.start || time > segment.end) continue;
     text += tr("Here %1<br>on thread %2, %3 to %4 ms")
-                .arg(QString::fromStdString(timeline_.filters[segment.filter]))
+                .arg(filterName(timeline_.filters[segment.filter]))
                 .arg(bar.lane)
                 .arg(fixedText(segment.start, 2))
                 .arg(fixedText(segment.end, 2));
@@ -129,16 +133,19 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
   return text;
 }
 
-// How long the pause is, and why it may be one.
+// How long the pause is, and what it waits for.
 QString TimelinePlot::describeIdle(const QPointF& place) const {
   if (timeline_.planned) return {};
   const double time = xAxis->pixelToCoord(place.x());
   const int lane = static_cast<int>(std::lround(yAxis->pixelToCoord(place.y())));
+  if (lane == timeline_.lanes) return describeOthers(time);
+  if (lane < 0 || lane >= timeline_.lanes) return {};
+  for (const Timeline::Serial& part : timeline_.serial)
+    if (time >= part.start && time <= part.end) return describeSerial(part);
   for (const Timeline::Band& band : timeline_.bands) {
     if (time < band.start || time > band.end) continue;
     if (band.phase != Timeline::Phase::Parallel)
       return tr("%1: %2").arg(labelOf(band.phase), durationText(band.end - band.start));
-    if (lane < 0 || lane >= timeline_.lanes) return {};
     double from = band.start;
     double to = band.end;
     for (const Timeline::Bar& bar : timeline_.bars) {
@@ -146,7 +153,28 @@ QString TimelinePlot::describeIdle(const QPointF& place) const {
       if (bar.end <= time) from = std::max(from, bar.end);
       if (bar.start >= time) to = std::min(to, bar.start);
     }
-    return tr("Thread %1 was idle for %2").arg(lane).arg(durationText(to - from));
+    return tr("Thread %1 was idle for %2").arg(lane).arg(durationText(to - from)) + QStringLiteral("<br>") +
+           tr("It waited for work: other threads had the last cells.");
+  }
+  return {};
+}
+
+QString TimelinePlot::describeSerial(const Timeline::Serial& part) const {
+  const double length = part.end - part.start;
+  QString text = QStringLiteral("<b>%1</b>: %2").arg(labelOf(part).toHtmlEscaped(), durationText(length));
+  text += QStringLiteral("<br>") + tr("Busy threads: %1 of %2").arg(fixedText(part.threads, 1)).arg(timeline_.lanes);
+  const double waiting = (timeline_.lanes - part.threads) * length;
+  if (waiting > 0.05 * length)
+    text += QStringLiteral("<br>") + tr("The others waited for it: %1 of thread time").arg(durationText(waiting));
+  return text;
+}
+
+QString TimelinePlot::describeOthers(double time) const {
+  const std::vector<ProcessorSample>& samples = timeline_.processors.samples;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    if (time < samples[i - 1].atMs || time > samples[i].atMs) continue;
+    return tr("Other programs had the processors for %1 of the thread time that this part could have used")
+        .arg(durationText(samples[i].waitedMs - samples[i - 1].waitedMs));
   }
   return {};
 }

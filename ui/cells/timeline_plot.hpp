@@ -38,6 +38,8 @@ class TimelinePlot : public QCustomPlot {
   void limitRange(const QCPRange& range);
   [[nodiscard]] QString describe(const Timeline::Bar& bar, const QPointF& place) const;
   [[nodiscard]] QString describeIdle(const QPointF& place) const;
+  [[nodiscard]] QString describeSerial(const Timeline::Serial& part) const;
+  [[nodiscard]] QString describeOthers(double time) const;
 
   CellModel& model_;
   Timeline timeline_;

@@ -20,6 +20,7 @@ struct FinishedRun {
   Pipeline pipeline;
   RunResult result;
   CellRanks ranks = {};  ///< that ran the cells
+  ProcessorUse processors = {};
 };
 
 /// Finished runs on one environment, by the text of the enabled steps. Bounded by the memory that it counts for meshes

@@ -13,6 +13,9 @@
 
 namespace footfall::ui {
 
+/// The figures of a run for its timeline.
+RunFigures figuresOfRun(const RunResult& result, const ProcessorUse& processors);
+
 /// A later run takes blocks from the cache: its cells are those of the run in which they ran.
 class KnownBlocks {
  public:
@@ -26,6 +29,8 @@ class KnownBlocks {
  private:
   std::map<std::string, CellBlock> known_;  ///< by the steps so far, Collapse included
   std::vector<std::string> names_;          ///< of the last finished run's blocks
+  std::shared_ptr<const RunFigures> last_;  ///< of the last finished run that ran a block
+  bool ran_ = false;                        ///< the last finished run ran its blocks
 };
 
 }  // namespace footfall::ui

@@ -111,6 +111,9 @@ void listenTo(RunJob& job, std::function<void()> notify) {
   job.context = std::make_unique<RunContext>(
       [&job](const RunEvent& event) {
         keepMesh(job, event);
+        const bool isPiece = event.kind == RunEvent::Kind::Progress || event.kind == RunEvent::Kind::PartReady ||
+                             event.kind == RunEvent::Kind::CellFinished;
+        if (!isPiece && job.processors) job.processors->sample();
         if (event.kind == RunEvent::Kind::StepFinished && event.part && event.step + 1 < job.prefixes.size()) {
           const RemovalStyle* style = removalStyle(job.steps[event.step]->filter->type);
           if (event.step == job.firstChanged && job.changes.empty() && job.changedBefore && style)
@@ -141,6 +144,7 @@ RunOutcome compute(RunJob& job) {
   RunOutcome outcome;
   try {
     job.context->checkCancelled();
+    job.processors = std::make_unique<ProcessorWatch>();
     auto finished = std::make_shared<FinishedRun>();
     finished->environment = job.environment;
     finished->pipeline = job.pipeline;
@@ -148,6 +152,8 @@ RunOutcome compute(RunJob& job) {
       finished->result = runPipeline(job.environment, job.pipeline, *job.context, job.cache.get(), job.threads);
     else
       runElsewhere(job, *finished);
+    job.processors->sample();
+    finished->processors = job.processors->use();
     const std::vector<RemovedShare> shares = removedShares(job, finished->result);
     outcome.content = makeContent(job, finished->result, shares);
     outcome.content.hasMixedMargins = std::ranges::any_of(shares, [&](const auto& s) { return isDivisible(job, s); });

@@ -12,6 +12,7 @@
 #include "core/distributed/run_place.hpp"
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/processor_use.hpp"
 #include "ui/base/time_estimate.hpp"
 #include "ui/run/finished_runs.hpp"
 #include "ui/run/run_event_buffer.hpp"
@@ -25,9 +26,9 @@ namespace footfall::ui {
 inline std::string extendPrefix(const std::string& prefix, const PipelineStep& step) {
   return prefix + formatStep(step) + '\n';
 }
-/// The enabled steps, in order.
 /// The same with each step switched off that needs a Vertical clearance filter and has none before it.
 Pipeline withoutSkipped(Pipeline pipeline);
+/// The enabled steps, in order.
 std::vector<const PipelineStep*> enabledSteps(const Pipeline& pipeline);
 /// The enabled steps as a key.
 std::string keyOf(const Pipeline& pipeline);
@@ -70,6 +71,7 @@ struct RunJob {
   StepPictures stepPictures;
   std::unique_ptr<RunEventBuffer> events;
   std::unique_ptr<RunContext> context;
+  std::unique_ptr<ProcessorWatch> processors;  ///< made when it begins
 };
 
 struct RunOutcome {

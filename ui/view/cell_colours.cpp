@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "ui/base/number_text.hpp"
 #include "ui/base/palette.hpp"
@@ -91,14 +92,27 @@ QString threadName(const CellRanks& ranks, int thread) {
   return tr("Rank %1, thread %2").arg(place.rank).arg(place.thread);
 }
 
+double darkestValue(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::ranges::sort(values);
+  const auto quartile = [&](std::size_t number) { return values[number * (values.size() - 1) / 4]; };
+  const double upper = quartile(3);
+  const double fence = std::max(2 * upper, upper + 3 * (upper - quartile(1)));
+  return upper > 0 ? std::min(values.back(), fence) : values.back();
+}
+
 CellScale::CellScale(const CellBlock& block, CellColouring wanted)
     : shown_(wanted), threads_(block.ranks.empty() ? block.threads() : static_cast<int>(block.ranks.threads.size())) {
   const std::vector<CellReport>& cells = block.report.cells;
   if (!block.begun()) shown_ = CellColouring::Cost;
   const auto known = [&](std::size_t cell) { return shown_ == CellColouring::Cost || block.finished[cell] != 0; };
+  std::vector<double> values;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    if (known(i)) maximum_ = std::max(maximum_, valueOf(cells[i], shown_));
+    if (!known(i)) continue;
+    values.push_back(valueOf(cells[i], shown_));
+    maximum_ = std::max(maximum_, values.back());
   }
+  darkest_ = darkestValue(std::move(values));
   colours_.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     allKnown_ = allKnown_ && known(i);
@@ -106,7 +120,7 @@ CellScale::CellScale(const CellBlock& block, CellColouring wanted)
     if (shown_ == CellColouring::Thread) {
       colours_[i] = threadColour(workerOf(block, cells[i]));
     } else {
-      colours_[i] = scaleColour(maximum_ > 0 ? valueOf(cells[i], shown_) / maximum_ : 0);
+      colours_[i] = scaleColour(darkest_ > 0 ? valueOf(cells[i], shown_) / darkest_ : 0);
     }
   }
 }

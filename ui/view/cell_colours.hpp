@@ -32,6 +32,10 @@ QColor unfinishedColour();
 /// The colour of a step inside bars, by the filter's place in its block.
 QColor filterColour(std::size_t index);
 
+/// The value from which on the darkest colour is used: the largest value, unless it lies far above the upper quartile
+/// (twice as much, and more than three spans between the quartiles beyond it). Tukey 1977, "far out".
+double darkestValue(std::vector<double> values);
+
 /// The colours of one block's cells.
 class CellScale {
  public:
@@ -41,6 +45,9 @@ class CellScale {
   [[nodiscard]] CellColouring shown() const { return shown_; }
   /// The largest value; 0 for threads.
   [[nodiscard]] double maximum() const { return maximum_; }
+  /// The value of the darkest colour, which larger values have, too: few very large values must not make all others
+  /// look alike. At most the largest.
+  [[nodiscard]] double darkest() const { return darkest_; }
   /// How many colours there are for threads, or ranks.
   [[nodiscard]] int threads() const { return threads_; }
   [[nodiscard]] bool allKnown() const { return allKnown_; }
@@ -49,7 +56,7 @@ class CellScale {
 
  private:
   CellColouring shown_;
-  double maximum_ = 0;
+  double maximum_ = 0, darkest_ = 0;
   int threads_ = 1;
   bool allKnown_ = true;
   std::vector<std::optional<QColor>> colours_;

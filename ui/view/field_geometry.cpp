@@ -13,7 +13,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kWallNormalZ = 0.02;     // as in render_geometry.cpp: steeper is a wall
-constexpr std::size_t kPollEvery = 4096;  // triangles
+constexpr std::size_t kFieldPollEvery = 4096;  // triangles
 constexpr int kRounds = 5;                // of cutting where the height changes: an edge in four pieces each
 constexpr double kInward = 0x1p-10;       // corners are looked at from inside their piece
 constexpr std::size_t kPlaces = 4;        // of a piece: three corners and the middle
@@ -43,7 +43,7 @@ Normal normalOf(const std::array<Vec3, 3>& p) {
 std::vector<Piece> floorsOf(const Environment& environment, Poll poll) {
   std::vector<Piece> floors;
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
-    if (t % kPollEvery == 0) poll();
+    if (t % kFieldPollEvery == 0) poll();
     const Triangle& triangle = environment.triangles[t];
     Piece floor;
     for (std::size_t k = 0; k < 3; ++k) floor.corners[k] = environment.vertices[triangle[k]];
@@ -83,7 +83,7 @@ std::vector<Piece> cutTo(std::vector<Piece> pieces, double edge, std::size_t bud
   small.reserve(pieces.size());
   std::size_t visited = 0;
   while (!pieces.empty()) {
-    if (++visited % kPollEvery == 0) poll();
+    if (++visited % kFieldPollEvery == 0) poll();
     const Piece piece = pieces.back();
     pieces.pop_back();
     if (longestEdge(piece) <= edge || small.size() + pieces.size() >= budget) {
@@ -138,7 +138,7 @@ std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environme
   const std::vector<Piece> floors = floorsOf(environment, poll);
   field->surface.reserve(floors.size() * 3);
   for (std::size_t i = 0; i < floors.size(); ++i) {
-    if (i % kPollEvery == 0) poll();
+    if (i % kFieldPollEvery == 0) poll();
     const Normal normal = normalOf(floors[i].corners);
     const double degrees = std::atan2(std::hypot(normal.x, normal.y), std::abs(normal.z)) * 180 / M_PI;
     const auto slope = static_cast<float>(degrees);

@@ -17,7 +17,7 @@ class TestLoadPanel : public QObject {
  private slots:
   void init() {
     model_ = std::make_unique<CellModel>();
-    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_);
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_, measurement_);
     panel_->resize(1000, 260);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -57,7 +57,7 @@ class TestLoadPanel : public QObject {
     QApplication::setFont(font);
     const auto back = qScopeGuard([&] { QApplication::setFont(usual); });
     panel_.reset();
-    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_);
+    panel_ = std::make_unique<LoadPanel>(*model_, threads_, places_, measurement_);
     panel_->resize(1100, 300);
     panel_->show();
     QVERIFY(QTest::qWaitForWindowExposed(panel_.get()));
@@ -166,6 +166,7 @@ class TestLoadPanel : public QObject {
     double sum = 0;
     for (const QCPBars* bar : panel_->phasePlot().bars()) sum += bar->data()->at(0)->value;
     QCOMPARE(sum, 88.0);
+    panel_->pages().setCurrentIndex(2);
     QVERIFY(panel_->phasePlot().isVisible());
   }
 
@@ -185,7 +186,7 @@ class TestLoadPanel : public QObject {
 
   void theReasonOfAStrategyIsShownAndIsNoMarkup() {
     model_->setBlocks({BlockBuilder(2, "GridStrategy 2 1").reason("2 threads <b>& more</b>").block()});
-    QVERIFY(panel_->strategyText().contains("GridStrategy 2 1"));
+    QVERIFY(panel_->strategyText().contains("Grid strategy 2 1"));
     QVERIFY(panel_->strategyText().contains("2 threads &lt;b&gt;&amp; more"));
   }
 
@@ -233,6 +234,7 @@ class TestLoadPanel : public QObject {
     return panel_->timeline();
   }
 
+  LoadMeasurement measurement_;
   std::unique_ptr<CellModel> model_;
   RunThreads threads_;
   RunPlaces places_;
