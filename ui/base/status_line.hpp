@@ -12,10 +12,11 @@ namespace footfall::ui {
 
 /// Whom a text in the status bar is about.
 enum class StatusSubject {
-  State,  ///< the level: the last result, a run that was cancelled
-  Work,   ///< loading, running, writing; ends with it
-  Tool,   ///< the tool that has the mouse; ends with it
-  Note    ///< something that was done; ends after a while
+  State,    ///< the level: the last result, a run that was cancelled
+  Drawing,  ///< the result is there and its picture is not
+  Work,     ///< loading, running, writing; ends with it
+  Tool,     ///< the tool that has the mouse; ends with it
+  Note      ///< something that was done; ends after a while
 };
 
 /// The text that came last is shown, until its subject ends: then the one before it is shown again.

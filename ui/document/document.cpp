@@ -37,6 +37,7 @@ class DocumentCommand : public QUndoCommand {
   [[nodiscard]] int id() const override { return mergeKey_.isEmpty() ? -1 : 1; }
   [[nodiscard]] const QString& mergeKey() const { return mergeKey_; }
   [[nodiscard]] const DocumentState& before() const { return before_; }
+  [[nodiscard]] const DocumentState& after() const { return after_; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
     if (next->mergeKey_ != mergeKey_) return false;
@@ -91,6 +92,10 @@ const DocumentState& Document::stateBefore(const QString& mergeKey) const {
 }
 
 void Document::setState(const DocumentState& state) {
+  if (restoring_) {
+    state_ = state;
+    return;
+  }
   const bool filters = !(state.filters == state_.filters);
   const bool import = !sameImport(state.import, state_.import);
   const bool agents = !(state.agents == state_.agents && state.agent == state_.agent);
@@ -231,6 +236,50 @@ void Document::reset(const Pipeline& pipeline, const ImportOptions& import, Docu
   emit agentsChanged();
   emit levelChanged();
   emit filtersChanged();
+}
+
+EditHistory Document::history() const {
+  EditHistory history;
+  history.first = state_;
+  history.index = undoStack_.index();
+  history.clean = undoStack_.cleanIndex();
+  for (int i = 0; i < undoStack_.count(); ++i) {
+    const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(i));  // the stack has no others
+    if (i == 0) history.first = command->before();
+    history.edits.push_back({command->text(), command->after()});
+  }
+  return history;
+}
+
+bool Document::restoreHistory(const EditHistory& history) {
+  const auto index = static_cast<std::size_t>(history.index);
+  const DocumentState& there = index == 0 ? history.first : history.edits[index - 1].after;
+  const auto isSame = [](const FilterEntry& a, const FilterEntry& b) { return a.step == b.step; };
+  DocumentState expected = there;
+  expected.filters = state_.filters;
+  if (!(expected == state_) || !std::ranges::equal(there.filters, state_.filters, isSame)) return false;
+  const DocumentState present = there;  // its rows have the numbers that they have in all other states
+  undoStack_.clear();
+  restoring_ = true;
+  state_ = history.first;
+  for (const EditHistory::Edit& edit : history.edits)
+    undoStack_.push(new DocumentCommand(*this, edit.after, edit.text, {}));  // the stack owns it
+  if (history.clean >= 0 && history.clean <= undoStack_.count()) {
+    undoStack_.setIndex(history.clean);
+    undoStack_.setClean();
+  } else {
+    undoStack_.resetClean();
+  }
+  undoStack_.setIndex(history.index);
+  restoring_ = false;
+  state_ = present;
+  const auto note = [this](const DocumentState& state) {
+    for (const FilterEntry& entry : state.filters) nextId_ = std::max(nextId_, entry.id + 1);
+  };
+  note(history.first);
+  for (const EditHistory::Edit& edit : history.edits) note(edit.after);
+  emit filtersChanged();
+  return true;
 }
 
 Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, double toMetresPerUnit) {

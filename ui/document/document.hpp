@@ -35,6 +35,18 @@ struct DocumentState {
   std::vector<PlacedObstacle> obstacles;
 };
 
+/// The edits of a document, which can be undone.
+struct EditHistory {
+  struct Edit {
+    QString text;
+    DocumentState after;
+  };
+  DocumentState first;      ///< before all edits
+  std::vector<Edit> edits;  ///< also those that were undone
+  int index = 0;            ///< so many of them are in force
+  int clean = -1;           ///< so many were, when the document was saved last; -1: that state is gone
+};
+
 bool sameImport(const ImportOptions& a, const ImportOptions& b);
 bool operator==(const DocumentState& a, const DocumentState& b);
 
@@ -82,6 +94,11 @@ class Document : public QObject {
   void reset(const Pipeline& pipeline, const ImportOptions& import);
   void reset(const Pipeline& pipeline, const ImportOptions& import, DocumentState rest);
 
+  [[nodiscard]] EditHistory history() const;
+  /// Takes over the edits that led to the present state, without changing that. False, and nothing is done, where they
+  /// lead to another one.
+  bool restoreHistory(const EditHistory& history);
+
  signals:
   void filtersChanged();
   void importChanged();
@@ -101,6 +118,7 @@ class Document : public QObject {
   DocumentState state_;
   QUndoStack undoStack_;
   int nextId_ = 1;
+  bool restoring_ = false;  ///< edits are put on the stack that have been made already
   LevelUnits units_;
 };
 

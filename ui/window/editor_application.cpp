@@ -191,12 +191,18 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   if (options.cells) window.setCellsShown(*options.cells);
   window.setInteractive(!shooting);
   window.show();
-  if (!shooting) window.offerRestoring();
+  if (!shooting && options.environment.empty()) window.offerRestoring();
   if (!options.environment.empty()) {
     const QString path = QFile::decodeName(options.environment.c_str());
     // After the loop has begun, so that a problem can end it.
     QMetaObject::invokeMethod(
         &window,
+    // Opening takes messages away.
+    if (!shooting) {
+      const auto offer = [&window, path] { window.offerRestoring(path); };
+      QObject::connect(&window.file(), &LevelFile::opened, &window, offer, Qt::SingleShotConnection);
+      QObject::connect(&window, &EditorWindow::loadFailed, &window, offer, Qt::SingleShotConnection);
+    }
         [&window, &options, path, shooting] {
           window.openWith(path, options.pipeline, options.import);
           if (options.top && !shooting) window.view().cameraController().viewFromTop();

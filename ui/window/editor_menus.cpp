@@ -1,6 +1,8 @@
 // The window's menus and what its tool bar has of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QClipboard>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QToolButton>
@@ -59,12 +61,25 @@ void EditorWindow::createFileActions() {
   bars_->add(commands_.add({QStringLiteral("file.save"),
                             CommandMenu::File,
                             save,
-                            tr("&Save session..."),
-                            tr("Save environment, filters and view"),
+                            tr("&Save session"),
+                            tr("Save environment, filters and view to the session's file"),
                             {QKeySequence::Save},
                             QStringLiteral("save")},
-                           [this](bool) { sessions_->askForTarget(); }),
+                           [this](bool) { sessions_->saveAgain(); }),
              tr("Save session"));
+  commands_.add({QStringLiteral("file.saveAs"),
+                 CommandMenu::File,
+                 save,
+                 tr("Save session &as..."),
+                 tr("Save environment, filters and view to another file"),
+                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
+                [this](bool) { sessions_->askForTarget(); });
+  commands_.add({QStringLiteral("file.screenshot"), CommandMenu::File, save, tr("Copy s&creenshot"),
+                 tr("Copy what the view shows as a picture, without panels")},
+                [this](bool) {
+                  QGuiApplication::clipboard()->setImage(view_->grabFramebuffer());
+                  status_->say(StatusSubject::Note, tr("Copied a picture of the view"));
+                });
   exportAction_ = commands_.add({QStringLiteral("file.export"),
                                  CommandMenu::File,
                                  save,
@@ -127,7 +142,7 @@ void EditorWindow::createPipelineActions() {
                  files,
                  tr("&Save pipeline..."),
                  {},
-                 {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)}},
+                 {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)}},
                 [this](bool) { pipelines_->askForTarget(); });
   commands_.add({QStringLiteral("pipeline.default"), CommandMenu::Pipeline, files, tr("Use &default filters"), {}},
                 [this](bool) { opening_->useDefaultFilters(); });

@@ -276,6 +276,7 @@ void EditorWindow::connectRuns() {
 }
 
 void EditorWindow::connectProgress() {
+  drawingNote_ = new DrawingNote(controller_, *view_, *status_, this);
   connect(&file_, &LevelFile::started, this,
           [this](const QString& path) { showProgress(tr("Loading %1").arg(QFileInfo(path).fileName()), -1); });
   connect(&file_, &LevelFile::arrived, this, &EditorWindow::hideProgress);

@@ -26,6 +26,7 @@
 #include "ui/view/feature_host.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/view/view_layout.hpp"
+#include "ui/window/drawing_note.hpp"
 #include "ui/window/file_writer.hpp"
 #include "ui/window/help_panel.hpp"
 #include "ui/window/level_opening.hpp"
@@ -68,7 +69,8 @@ class EditorWindow : public QMainWindow {
   void exportResult(const QString& path) { exports_->write(path); }
   void exportResult(const QString& path, const ExportSettings& settings) { exports_->write(path, settings); }
   /// Offers what was worked on when the program, or the machine, ended unexpectedly.
-  void offerRestoring() { sessions_->offerRestoring(); }
+  /// `path`: the file that was opened, whose lost session comes first.
+  void offerRestoring(const QString& path = {}) { sessions_->offerRestoring(path); }
   void continueLastSession() { opening_->continueLastSession(); }
   /// The page with samples and recent files, over the view.
   void showWelcome(bool on) { welcome_->show(on); }
@@ -77,6 +79,8 @@ class EditorWindow : public QMainWindow {
   /// Off: nothing of this window is remembered (for screenshots).
   void setRemembering(bool on);
   /// Somebody sits in front of it: the camera may take its time. At first nobody does.
+  /// The view does not show all of the last result yet.
+  [[nodiscard]] bool drawing() const { return drawingNote_->pending(); }
   void setInteractive(bool on);
   /// Cells in the view, and the dock with the timeline.
   void setCellsShown(const CellsShown& shown) { cells_->setShown(shown); }
@@ -186,6 +190,7 @@ class EditorWindow : public QMainWindow {
   CellsFeature* cells_ = nullptr;
   LevelLook* look_ = nullptr;
   CameraTools* camera_ = nullptr;
+  DrawingNote* drawingNote_ = nullptr;
   FileWriter* writer_ = nullptr;
   QString writtenName_;  ///< of the file that it began last
   SessionFiles* sessions_ = nullptr;

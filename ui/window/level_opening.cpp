@@ -161,6 +161,7 @@ void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before
   uses_.document.reset(pipeline, opening.import, opening.rest);
   uses_.sessions.setPath(opening.session);
   if (opening.unsaved) uses_.document.undoStack()->resetClean();
+  if (opening.kept && opening.kept->history) uses_.document.restoreHistory(*opening.kept->history);
   if (opening.camera) uses_.view.cameraController().setPose(*opening.camera);
   if (opening.cells) uses_.cells.setShown(*opening.cells);
   if (opening.sections)
@@ -176,6 +177,7 @@ void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before
   if (opening.kept) {
     uses_.sessions.keep();  // before what was restored is given up
     uses_.sessions.forget(*opening.kept);
+    uses_.sessions.offerRestoring();  // an older one
   }
 }
 

@@ -335,6 +335,8 @@ std::string formatSession(const Session& session, const std::string& path) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
+Session parseSession(const std::string& text, const std::string& path) { return sessionFrom(Json::parse(text), path); }
+
 Session readSession(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -342,7 +344,7 @@ Session readSession(const std::string& path) {
     throw InputError(FOOTFALL_TEXT("%1: cannot be read or is empty; choose a session that Footfall saved"), path);
   }
   try {
-    return sessionFrom(Json::parse(text), path);
+    return parseSession(text, path);
   } catch (const InputError& error) {
     throw InputError(kAtPlace, path, error.text());
   } catch (const nlohmann::json::parse_error& error) {

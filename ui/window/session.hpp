@@ -42,6 +42,9 @@ std::string formatSession(const Session& session, const std::string& path);
 /// Throws InputError "FILE: what; what to do"; no part of a session that is wrong somewhere is given back.
 Session readSession(const std::string& path);
 
+/// The same of a session's text; `path`, which its environment is relative to, is not in messages.
+Session parseSession(const std::string& text, const std::string& path);
+
 /// Whether the file says that it is a session, whatever its name; false when it cannot be read.
 bool isSessionFile(const std::string& path);
 

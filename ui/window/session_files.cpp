@@ -3,7 +3,9 @@
 
 #include <QFileInfo>
 #include <QLocale>
+#include <QMenu>
 #include <QMessageBox>
+#include <algorithm>
 #include <utility>
 
 #include "core/io/export.hpp"
@@ -75,6 +77,13 @@ void SessionFiles::save(const QString& path) {
                      });
 }
 
+void SessionFiles::saveAgain() {
+  if (path().isEmpty())
+    askForTarget();
+  else
+    save(path());
+}
+
 void SessionFiles::askForTarget() {
   const QString extension = QLatin1String(kSessionExtension);
   const QString suggested = path().isEmpty() ? suggestedPath(uses_.level, QLatin1Char('.') + extension) : path();
@@ -137,7 +146,8 @@ void SessionFiles::askUnsaved(std::function<void()> next) {
 // --- After a crash, or the next day
 
 void SessionFiles::keep() {
-  if (remembering_ && uses_.level.environment()) keeper_.keep(current(), path(), hasUnsavedChanges());
+  if (remembering_ && uses_.level.environment())
+    keeper_.keep(current(), path(), hasUnsavedChanges(), uses_.document.history());
 }
 
 void SessionFiles::close() {
@@ -146,9 +156,20 @@ void SessionFiles::close() {
   keeper_.close();
 }
 
-void SessionFiles::offerRestoring() {
-  const std::vector<KeptSession> found = keeper_.abandoned();
+// The newest one first, or the one of a file; the others are a click away.
+void SessionFiles::offerRestoring(const QString& path) {
+  std::vector<KeptSession> found = keeper_.abandoned();
   if (found.empty()) return;
+  const QString file = QFileInfo(path).canonicalFilePath();
+  const auto isOfFile = [&file](const KeptSession& kept) {
+    return !file.isEmpty() && (QFileInfo(kept.environment).canonicalFilePath() == file ||
+                               QFileInfo(kept.session).canonicalFilePath() == file);
+  };
+  std::ranges::stable_partition(found, isOfFile);
+  if (found.size() > 1) {
+    offerSeveral(found);
+    return;
+  }
   const KeptSession kept = found.front();
   const QString level = QFileInfo(kept.environment).fileName();
   const QString name =
@@ -161,6 +182,36 @@ void SessionFiles::offerRestoring() {
         forget(kept);
         offerRestoring();
       });
+}
+
+void SessionFiles::offerSeveral(const std::vector<KeptSession>& found) {
+  const KeptSession& first = found.front();
+  const QString text =
+      tr("Footfall ended unexpectedly, and %1 sessions were not closed. Restore %2 (last change %3)?")
+          .arg(found.size())
+          .arg(QFileInfo(first.environment).fileName(), QLocale().toString(first.time, QLocale::ShortFormat));
+  uses_.messages.showHint(
+      text, tr("Restore"), [this, first] { emit restoreRequested(first); }, tr("Others..."), [this] { chooseLost(); });
+}
+
+void SessionFiles::chooseLost() {
+  auto* menu = new QMenu(&uses_.window);
+  menu->setObjectName(QStringLiteral("lostSessions"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  for (const KeptSession& kept : keeper_.abandoned()) {
+    const QString name =
+        tr("%1, last change %2")
+            .arg(QFileInfo(kept.environment).fileName(), QLocale().toString(kept.time, QLocale::ShortFormat));
+    QMenu* choices = menu->addMenu(name);
+    connect(choices->addAction(tr("Restore")), &QAction::triggered, this,
+            [this, kept] { emit restoreRequested(kept); });
+    connect(choices->addAction(tr("Discard")), &QAction::triggered, this, [this, kept] {
+      forget(kept);
+      uses_.messages.clear();
+      offerRestoring();
+    });
+  }
+  menu->popup(uses_.messages.mapToGlobal(uses_.messages.rect().bottomLeft()));
 }
 
 }  // namespace footfall::ui

@@ -46,6 +46,8 @@ class SessionFiles : public QObject {
   void setPath(const QString& path);
   /// Replaces other files without a question, but not those that FileWriter refuses.
   void save(const QString& path);
+  /// Saves to the file that was opened or saved last; asks for one where there is none.
+  void saveAgain();
   void askForTarget();
 
   /// Edits that no session file has.
@@ -59,7 +61,8 @@ class SessionFiles : public QObject {
   /// The window is being closed: what is kept becomes the last session.
   void close();
   /// Offers what was worked on when the program, or the machine, ended unexpectedly.
-  void offerRestoring();
+  /// `path`: the file that is being opened, whose lost session comes first.
+  void offerRestoring(const QString& path = {});
   [[nodiscard]] std::optional<KeptSession> lastSession() const { return keeper_.lastSession(); }
   /// A session that was kept is open, or not wanted.
   void forget(const KeptSession& kept) { keeper_.forget(kept); }
@@ -70,6 +73,8 @@ class SessionFiles : public QObject {
 
  private:
   [[nodiscard]] Session current() const;
+  void offerSeveral(const std::vector<KeptSession>& found);
+  void chooseLost();
 
   Uses uses_;
   SessionKeeper keeper_;

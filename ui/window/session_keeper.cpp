@@ -14,11 +14,13 @@
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/window/file_dialogs.hpp"
+#include "ui/window/session_history.hpp"
 
 namespace footfall::ui {
 namespace {
 
 constexpr const char* kSection = "autosave";
+constexpr const char* kHistory = "history";
 
 QString ending() { return QLatin1Char('.') + QLatin1String(kSessionExtension); }
 QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
@@ -39,6 +41,8 @@ std::optional<KeptSession> readKeptSession(const QString& path) {
     kept.path = path;
     kept.environment = QFile::decodeName(QByteArray::fromStdString(session.environment));
     kept.time = QFileInfo(path).lastModified();
+    const auto edits = session.sections.find(kHistory);
+    if (edits != session.sections.end()) kept.history = parseHistory(edits->second);
     const auto section = session.sections.find(kSection);
     if (section != session.sections.end()) {
       const auto json = nlohmann::json::parse(section->second);
@@ -74,7 +78,7 @@ bool SessionKeeper::takeOwnPath() {
   return false;
 }
 
-void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsaved) {
+void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsaved, EditHistory history) {
   if (!takeOwnPath()) {
     if (!std::exchange(failing_, true))
       emit failed(tr("%1: the session cannot be kept for after a crash; make this folder writable").arg(folder_));
@@ -82,18 +86,22 @@ void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsav
   }
   session.sections[kSection] = nlohmann::json{{"session", sessionPath.toStdString()}, {"unsaved", unsaved}}.dump(
       -1, ' ', false, nlohmann::json::error_handler_t::replace);
-  writing_.post([this, session = std::move(session), path = ownPath_, lock = ownLock_] {
-    const QString error = errorOf([&] { writeFileSafely(toPath(path), formatSession(session, toPath(path))); });
-    QMetaObject::invokeMethod(
-        this,
-        [this, error] {
-          const bool wasFailing = std::exchange(failing_, !error.isEmpty());
-          if (wasFailing && error.isEmpty()) emit recovered();
-          if (wasFailing || error.isEmpty()) return;
-          emit failed(tr("The session cannot be kept for after a crash: %1").arg(error));
-        },
-        Qt::QueuedConnection);
-  });
+  writing_.post(
+      [this, session = std::move(session), history = std::move(history), path = ownPath_, lock = ownLock_]() mutable {
+        const QString error = errorOf([&] {
+          session.sections[kHistory] = formatHistory(history);
+          writeFileSafely(toPath(path), formatSession(session, toPath(path)));
+        });
+        QMetaObject::invokeMethod(
+            this,
+            [this, error] {
+              const bool wasFailing = std::exchange(failing_, !error.isEmpty());
+              if (wasFailing && error.isEmpty()) emit recovered();
+              if (wasFailing || error.isEmpty()) return;
+              emit failed(tr("The session cannot be kept for after a crash: %1").arg(error));
+            },
+            Qt::QueuedConnection);
+      });
 }
 
 void SessionKeeper::close() {

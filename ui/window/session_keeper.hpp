@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "ui/base/background_queue.hpp"
+#include "ui/document/document.hpp"
 #include "ui/window/session.hpp"
 
 namespace footfall::ui {
@@ -23,6 +24,7 @@ struct KeptSession {
   QString session;       ///< the file that it was opened from or saved as; empty: none
   bool unsaved = false;  ///< there are changes that this file has not
   QDateTime time;        ///< of the last change
+  std::optional<EditHistory> history;
 };
 
 /// Every window has an autosave of its own, with a lock that dies with its process: an autosave without a living owner
@@ -38,7 +40,7 @@ class SessionKeeper : public QObject {
   ~SessionKeeper() override;
 
   /// Writes the autosave anew.
-  void keep(Session session, const QString& sessionPath, bool unsaved);
+  void keep(Session session, const QString& sessionPath, bool unsaved, EditHistory history);
   /// The window was closed properly: what was kept last becomes the last session. Nothing when nothing was kept.
   void close();
 

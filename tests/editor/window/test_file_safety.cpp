@@ -33,6 +33,7 @@ class TestFileSafety : public QObject {
     content_ = "mtllib table.mtl\n" + tableObj();
     table_ = writeFile(*folder_, "table.obj", content_);
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
+    QTRY_VERIFY_WITH_TIMEOUT(!window_->drawing(), kWaitMs);  // the status line then has nothing to add
   }
   void cleanup() {
     window_.reset();
@@ -72,7 +73,7 @@ class TestFileSafety : public QObject {
     QVERIFY(refused(table_));
     window_->savePipeline(folder_->filePath("table.mtl"));
     QVERIFY(refused(folder_->filePath("table.mtl")));
-    choose("file.save");
+    choose("file.saveAs");
     answerFileDialog(table_);
     QVERIFY(QTest::qWaitFor([&] { return refused(table_); }));
     choose("pipeline.save");
@@ -124,7 +125,7 @@ class TestFileSafety : public QObject {
 
   void aSessionAsksUnlessItIsTheOpenOne() {
     const QString other = writeFile(*folder_, "other.footfall", "kept");
-    choose("file.save");
+    choose("file.saveAs");
     answerFileDialog(other);
     QVERIFY(QTest::qWaitFor([&] { return question() != nullptr; }));
     QTest::keyClick(question(), Qt::Key_Escape);
@@ -134,7 +135,7 @@ class TestFileSafety : public QObject {
     const QString own = folder_->filePath("own.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     for (int i = 0; i < 2; ++i) {  // the second replaces the first, which is what saving means
-      choose("file.save");
+      choose("file.saveAs");
       answerFileDialog(own);
       QVERIFY(written.wait());
       QVERIFY(!question());

@@ -1,0 +1,36 @@
+// Says in the status line that the picture is older than the counts beside it.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <chrono>
+#include <optional>
+
+#include "ui/base/status_line.hpp"
+#include "ui/run/run_controller.hpp"
+#include "ui/view/level_view.hpp"
+
+namespace footfall::ui {
+
+/// A large result takes a while to draw, and the view shows what it showed before until then. Pictures that come at
+/// once are not announced.
+class DrawingNote : public QObject {
+  Q_OBJECT
+
+ public:
+  DrawingNote(RunController& controller, LevelView& view, StatusLine& status, QObject* parent);
+
+  /// The view does not show all of the last result yet.
+  [[nodiscard]] bool pending() const { return since_.has_value(); }
+
+ private:
+  void look();
+
+  LevelView& view_;
+  StatusLine& status_;
+  std::optional<std::chrono::steady_clock::time_point> since_;
+  QTimer delay_;
+};
+
+}  // namespace footfall::ui
