@@ -21,6 +21,7 @@ void ParameterNotes::measure() {
       *this, [level = file_.environment()](RunContext& context) { return measureLevel(*level, context); },
       [this](const LevelMeasures& measures) {
         measures_ = measures;
+        emit measured(measures);
         show();
       },
       [](const std::exception&) {});  // without memory for it there are no hints

@@ -23,6 +23,10 @@ class ParameterNotes : public QObject {
  public:
   ParameterNotes(Document& document, LevelFile& file, MessageBar& messages, QObject* parent);
 
+ signals:
+  /// A level has been measured.
+  void measured(const footfall::detail::LevelMeasures& measures);
+
  private:
   void measure();
   void show();

@@ -5,6 +5,7 @@
 #include <QClipboard>
 #include <QDockWidget>
 #include <QHeaderView>
+#include <QInputDialog>
 #include <QVBoxLayout>
 #include <array>
 #include <cmath>
@@ -20,7 +21,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   table_->setObjectName(QStringLiteral("measureTable"));
   table_->setAccessibleName(tr("Measured pieces"));
   table_->setToolTip(tr("Each piece between two places; height and slope from the first place to the second"));
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -41,6 +42,8 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
   };
   copy_ = add(QStringLiteral("measureCopy"), tr("Copy"), tr("Copy places and measures as a table"));
   back_ = add(QStringLiteral("measureBack"), tr("Remove last"), tr("Take the last place back"));
+  scale_ = add(QStringLiteral("measureScale"), tr("Set scale..."),
+               tr("Type how long the last piece is in metres; the scale of the level follows"));
   clear_ = add(QStringLiteral("measureClear"), tr("Clear"), tr("Take all places away"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);
@@ -56,6 +59,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
 
   connect(copy_, &QPushButton::clicked, this, [this] { QApplication::clipboard()->setText(tool_.text()); });
   connect(back_, &QPushButton::clicked, &tool_, &MeasureTool::removeLast);
+  connect(scale_, &QPushButton::clicked, this, &MeasurePanel::askForLength);
   connect(clear_, &QPushButton::clicked, this, [this] { tool_.setPlaces({}); });
   connect(&tool_, &MeasureTool::placesChanged, this, &MeasurePanel::showPlaces);
   connect(&tool_, &MeasureTool::unitsChanged, this, &MeasurePanel::showPlaces);
@@ -92,10 +96,35 @@ void MeasurePanel::showPlaces() {
   copy_->setEnabled(!places.empty());
   back_->setEnabled(!places.empty());
   clear_->setEnabled(!places.empty());
+  scale_->setEnabled(rows > 0);
 }
 
-MeasureFeature::MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer)
+// The last piece is the reference: a door, a step, the length of a building.
+void MeasurePanel::askForLength() {
+  const auto& places = tool_.places();
+  if (places.size() < 2) return;
+  const double length = measureBetween(places[places.size() - 2], places.back()).distance;
+  if (!(length > 0)) return;
+  auto* dialog = new QInputDialog(this);
+  dialog->setObjectName(QStringLiteral("scaleByReference"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Scale by reference"));
+  dialog->setInputMode(QInputDialog::DoubleInput);
+  dialog->setLabelText(
+      tr("The last piece is %1 of the file's units long. How many metres is that?").arg(shortText(length, 6)));
+  dialog->setDoubleRange(1e-6, 1e6);
+  dialog->setDoubleDecimals(4);
+  dialog->setDoubleValue(length * tool_.units().metresPerUnit);
+  connect(dialog, &QInputDialog::doubleValueSelected, this,
+          [this, length](double metres) { emit scaleChosen(metres / length); });
+  dialog->open();
+}
+
+MeasureFeature::MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer,
+                               ImportPanel& import)
     : QObject(&host.window), tool_(view, [&composer] { return composer.level(); }) {
+  auto* panel = new MeasurePanel(tool_);
+  connect(panel, &MeasurePanel::scaleChosen, &import, &ImportPanel::chooseScale);
   QDockWidget* dock = host.panels.add({QStringLiteral("panel.measure"),
                                        tr("Measure"),
                                        tr("Distances, heights and slopes between places"),
@@ -103,7 +132,7 @@ MeasureFeature::MeasureFeature(const FeatureHost& host, LevelView& view, LevelFi
                                        {},
                                        Qt::RightDockWidgetArea,
                                        false},
-                                      new MeasurePanel(tool_));
+                                      panel);
   host.tools.add({QStringLiteral("tools.measure"),
                   CommandMenu::Tools,
                   QStringLiteral("tools"),
@@ -112,6 +141,15 @@ MeasureFeature::MeasureFeature(const FeatureHost& host, LevelView& view, LevelFi
                   {Qt::Key_M},
                   QStringLiteral("measure")},
                  &tool_, dock);
+  host.commands.add({.id = QStringLiteral("tools.scaleByReference"),
+                     .menu = CommandMenu::Tools,
+                     .group = QStringLiteral("tools"),
+                     .text = tr("Scale b&y reference..."),
+                     .help = tr("Click two places whose distance you know, and type it")},
+                    [this, &host, &view, panel](bool) {
+                      if (tool_.places().size() > 1) return panel->askForLength();
+                      host.commands.find(QStringLiteral("tools.measure"))->trigger();
+                    });
   const auto follow = [this, &view, dock] { tool_.setShown(view.tool() == &tool_ || !dock->isHidden()); };
   connect(&view, &LevelView::toolChanged, this, follow);
   connect(dock, &QDockWidget::visibilityChanged, this, follow);

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "ui/inspect/measure_tool.hpp"
+#include "ui/level/import_panel.hpp"
 #include "ui/level/level_composer.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/view/feature_host.hpp"
@@ -19,6 +20,11 @@ class MeasurePanel : public QWidget {
 
  public:
   explicit MeasurePanel(MeasureTool& tool, QWidget* parent = nullptr);
+  /// Asks how long the last piece is in metres.
+  void askForLength();
+
+ signals:
+  void scaleChosen(double metresPerUnit);
 
  private:
   void showPlaces();
@@ -26,7 +32,7 @@ class MeasurePanel : public QWidget {
   MeasureTool& tool_;
   QTableWidget* table_;
   QLabel *sum_, *frame_ = nullptr;
-  QPushButton *copy_, *back_, *clear_;
+  QPushButton *copy_, *back_, *scale_, *clear_;
 };
 
 /// "Measure": the tool and its panel; places go with the environment that they belong to.
@@ -34,7 +40,8 @@ class MeasureFeature : public QObject {
   Q_OBJECT
 
  public:
-  MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer);
+  MeasureFeature(const FeatureHost& host, LevelView& view, LevelFile& file, LevelComposer& composer,
+                 ImportPanel& import);
   [[nodiscard]] MeasureTool& tool() { return tool_; }
 
  private:

@@ -42,6 +42,10 @@ Measure measureBetween(const Vec3& from, const Vec3& to) {
   measure.plan = std::hypot(to.x - from.x, to.y - from.y);
   measure.height = to.z - from.z;
   measure.distance = std::hypot(measure.plan, measure.height);
+  // Places that are clicked are rounded: so little is nothing.
+  constexpr double kRounding = 1e-6;
+  if (std::abs(measure.height) < kRounding * measure.distance) measure.height = 0;
+  if (measure.plan < kRounding * measure.distance) measure.plan = 0;
   measure.degrees = measure.distance > 0 ? std::atan2(measure.height, measure.plan) * kDegrees : 0;
   measure.percent = measure.plan > 0      ? 100 * measure.height / measure.plan
                     : measure.height == 0 ? 0

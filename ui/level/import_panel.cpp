@@ -119,7 +119,7 @@ QWidget* ImportPanel::makeQuestion() {
   row->addWidget(yes_);
   row->addWidget(no_);
   for (QPushButton* button : {yes_, no_}) giveKeysBackAfterClick(*button);
-  connect(yes_, &QPushButton::clicked, this, [this] { setScale(askAboutScale(size_, fileScale_).scale); });
+  connect(yes_, &QPushButton::clicked, this, [this] { setScale(askAboutScale(size_, fileScale_, evidence_).scale); });
   connect(no_, &QPushButton::clicked, this, [this] { setScale(fileScale_); });
   return questionRow_;
 }
@@ -148,6 +148,11 @@ void ImportPanel::setOptions(const ImportOptions& options) {
   showGuesses();
 }
 
+void ImportPanel::setEvidence(const std::optional<ScaleEvidence>& evidence) {
+  evidence_ = evidence;
+  showQuestion();
+}
+
 void ImportPanel::setPart(std::uint64_t triangles, std::uint64_t ofAll) {
   counts_ = tr("Part: %1 of %2 triangles").arg(countText(triangles), countText(ofAll));
   showFigures();
@@ -166,6 +171,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     counts_ = countedText(environment->triangles.size(), tr("triangle"), tr("triangles")) + QStringLiteral(", ") +
               countedText(environment->vertices.size(), tr("vertex"), tr("vertices"));
     size_ = size;
+    evidence_.reset();
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
     // Of the polygons, the button below the figures tells.
@@ -191,12 +197,12 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
 }
 
 void ImportPanel::showGuesses() {
-  const QString fileUp = upGuessed_ ? tr("%1 (guessed)") : tr("%1 (says the file)");
+  const QString fileUp = upGuessed_ ? tr("%1 (guessed)") : tr("%1 (from the file)");
   up_->setItemText(0, loaded_ && !options_.up ? fileUp.arg(upAxisText(fileUp_)) : tr("Guess"));
   scale_->setValue(options_.metresPerUnit.value_or(fileScale_));
   scaleNote_->setText(!loaded_ || options_.metresPerUnit ? QString()
                       : scaleGuessed_                    ? tr("(guessed)")
-                                                         : tr("(says the file)"));
+                                                         : tr("(from the file)"));
   showQuestion();
 }
 
@@ -214,7 +220,7 @@ void ImportPanel::showQuestion() {
   const bool asked = loaded_ && scaleGuessed_ && !options_.metresPerUnit;
   questionRow_->setVisible(asked);
   if (!asked) return;
-  const ScaleQuestion question = askAboutScale(size_, fileScale_);
+  const ScaleQuestion question = askAboutScale(size_, fileScale_, evidence_);
   question_->setText(question.text);
   yes_->setToolTip(tr("1 unit of the file is %1").arg(unitLengthText(question.scale)));
   no_->setVisible(question.guess.has_value());

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QWidget>
 
+#include "core/inspect/scale_evidence.hpp"
 #include "footfall/environment.hpp"
 #include "ui/base/number_field.hpp"
 
@@ -24,6 +25,10 @@ class ImportPanel : public QWidget {
   /// Null: nothing is loaded. `upGiven`, `scaleGiven`: its up axis, its scale is the user's word, and not the file's or
   /// a guess.
   void setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven);
+  /// What the shapes of the level say about its unit; nothing where that is not known.
+  void setEvidence(const std::optional<detail::ScaleEvidence>& evidence);
+  /// As if it had been typed.
+  void chooseScale(double metresPerUnit) { setScale(metresPerUnit); }
   /// What is loaded is so many triangles of a larger environment.
   void setPart(std::uint64_t triangles, std::uint64_t ofAll);
   void setUnits(const LevelUnits& units);
@@ -61,6 +66,7 @@ class ImportPanel : public QWidget {
   bool loaded_ = false;
   QString counts_, notes_, gridText_;
   Vec3 size_;
+  std::optional<detail::ScaleEvidence> evidence_;
   LevelUnits units_;
   QLabel *name_, *figures_, *scaleNote_, *scaleError_;
   QWidget* questionRow_;

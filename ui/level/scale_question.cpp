@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/environment/scale_guess.hpp"
 #include "ui/base/namespaces.hpp"
@@ -30,11 +31,27 @@ QString unitLengthText(double metresPerUnit) {
                                        {0.0254, ScaleText::tr("1 inch")},
                                        {0.3048, ScaleText::tr("1 foot")}}};
   for (const Named& unit : named)
-    if (unit.metres == metresPerUnit) return unit.name;
+    if (std::abs(unit.metres / metresPerUnit - 1) < 1e-9) return unit.name;
   return ScaleText::tr("%1 m").arg(numberText(metresPerUnit));
 }
 
-ScaleQuestion askAboutScale(const Vec3& size, double guess) {
+ScaleQuestion askAboutScale(const Vec3& size, double guess, const std::optional<ScaleEvidence>& evidence) {
+  if (evidence && evidence->metresPerUnit != guess) {
+    const QString length = shortText(evidence->length, 3);
+    const QString unit = unitLengthText(evidence->metresPerUnit);
+    switch (evidence->of) {
+      case ScaleEvidence::Of::Risers:
+        return {ScaleText::tr("Most steps are %1 high: is 1 unit = %2?").arg(length, unit), evidence->metresPerUnit,
+                guess};
+      case ScaleEvidence::Of::Doorways:
+        return {ScaleText::tr("Doorways are %1 high: is 1 unit = %2?").arg(length, unit), evidence->metresPerUnit,
+                guess};
+      case ScaleEvidence::Of::Storeys:
+        return {ScaleText::tr("Most walls are %1 high: is 1 unit = %2?").arg(length, unit), evidence->metresPerUnit,
+                guess};
+    }
+  }
+  if (evidence) return {ScaleText::tr("1 unit = %1?").arg(unitLengthText(guess)), guess, std::nullopt};
   const std::optional<double> other = betterScale(size, guess);
   if (!other) return {ScaleText::tr("1 unit = %1?").arg(unitLengthText(guess)), guess, std::nullopt};
   const bool high = isTooHigh(size, guess);

@@ -5,6 +5,7 @@
 #include <QString>
 #include <optional>
 
+#include "core/inspect/scale_evidence.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::ui {
@@ -17,7 +18,9 @@ struct ScaleQuestion {
 
 /// `size` is the level's in the file's units, its height last. A level that the guess makes larger than a town or
 /// smaller than a table is asked about with the nearest usual unit that does not.
-ScaleQuestion askAboutScale(const Vec3& size, double guessedMetresPerUnit);
+/// Where the level has risers, doorways or storeys that speak for a unit (findScale()), it is asked about that one.
+ScaleQuestion askAboutScale(const Vec3& size, double guessedMetresPerUnit,
+                            const std::optional<detail::ScaleEvidence>& evidence = {});
 
 /// A unit's length for people: "1 cm", "1 inch", "0.05 m".
 QString unitLengthText(double metresPerUnit);

@@ -188,12 +188,14 @@ void EditorWindow::createFeatures() {
   new PathFeature(host, *view_, document_, file_, controller_);
   new SeedFeature(host, *view_, document_, controller_, *filters_);
   new ParameterHandles(host, *view_, document_, controller_, *filters_);
-  new MeasureFeature(host, *view_, file_, composer_);
+  new MeasureFeature(host, *view_, file_, composer_, *import_);
   new InspectionFeature(host, *view_, document_, file_, composer_, controller_, *filters_);
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
-  new ParameterNotes(document_, file_, *messages_, this);
+  auto* notes = new ParameterNotes(document_, file_, *messages_, this);
+  connect(notes, &ParameterNotes::measured, import_,
+          [this](const LevelMeasures& measures) { import_->setEvidence(findScale(measures)); });
   packed_ = new PackedFeature(host, *statusBar(), *view_, file_);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,

@@ -1,6 +1,7 @@
 // Measuring in the real window: by mouse and keyboard, with vertices to snap to.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDockWidget>
+#include <QInputDialog>
 #include <QPushButton>
 #include <QTableWidget>
 #include <cmath>
@@ -43,6 +44,25 @@ class TestMeasureTool : public QObject {
     const Measure none = measureBetween({1, 2, 3}, {1, 2, 3});
     QCOMPARE(none.degrees, 0.0);
     QCOMPARE(none.percent, 0.0);
+    // What clicks round is nothing.
+    const Measure level = measureBetween({0, 0, 0}, {5, 0, 7.39172e-7});
+    QCOMPARE(level.height, 0.0);
+    QCOMPARE(level.percent, 0.0);
+  }
+
+  void theLastPieceSetsTheScale() {
+    startTool();
+    tool_->setPlaces({{0, 0, 0}, {0, 0, 4}});
+    press("measureScale");
+    QInputDialog* dialog = nullptr;
+    QTRY_VERIFY((dialog = window_->findChild<QInputDialog*>("scaleByReference")) != nullptr);
+    dialog->setDoubleValue(2);
+    dialog->accept();
+    QTRY_COMPARE_WITH_TIMEOUT(window_->importPanel().scaleField()->value(), 0.5, kWaitMs);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(window_->document().state().import.metresPerUnit.value(), 0.5);
+    QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(!window_->document().state().import.metresPerUnit.has_value());
   }
 
   void clicksMeasureAndSnap() {
