@@ -57,6 +57,7 @@ void LevelLook::addLayers(const FeatureHost& host) {
                   layers_);
   connect(layers_, &LayerPanel::hiddenChanged, &view_, &LevelView::setHiddenLayers);
   connect(layers_, &LayerPanel::hiddenChanged, &sections_, &SessionSections::changed);
+  connect(layers_, &LayerPanel::hiddenChanged, this, &LevelLook::nameLayer);
   connect(layers_, &LayerPanel::frameRequested, this, [this](const LayerFigures& layer) {
     const auto geometry = view_.environmentGeometry();
     if (geometry)
@@ -65,6 +66,7 @@ void LevelLook::addLayers(const FeatureHost& host) {
   connect(&controller_, &RunController::finished, this, [this] {
     const ViewContent& content = view_.content();
     layers_->setResult(content.walkable.empty() ? nullptr : content.walkable.front());
+    nameLayer();
   });
   const QString group = QStringLiteral("floors");
   // Lists and scroll areas have a use of their own for these keys.
@@ -96,6 +98,20 @@ void LevelLook::addLayers(const FeatureHost& host) {
                       layers_->showAll();
                       layout_.heights().reset();
                     });
+}
+
+// A layer that is shown alone has its number in the view.
+void LevelLook::nameLayer() {
+  const QString overlay = QStringLiteral("layer");
+  const std::optional<std::uint32_t> layer = layers_->soloLayer();
+  const LayerFigures* figures = layer ? layers_->figuresOf(*layer) : nullptr;
+  const auto geometry = view_.environmentGeometry();
+  if (!figures || !geometry) return view_.removeOverlay(overlay);
+  const Vec3 lower = placed(figures->lower, geometry->centre), upper = placed(figures->upper, geometry->centre);
+  ViewOverlay label;
+  label.labels.push_back({{(lower.x + upper.x) / 2, (lower.y + upper.y) / 2, upper.z},
+                          tr("Layer %1 of %2").arg(*layer).arg(layers_->layers())});
+  view_.setOverlay(overlay, std::move(label));
 }
 
 void LevelLook::addCutPlane(CommandRegistry& commands) {
@@ -142,7 +158,7 @@ void LevelLook::addInside(CommandRegistry& commands) {
     if (!geometry || !geometry->covered || !view_.inside()) {
       hint_->hide();
     } else {
-      hint_->showText(tr("Roofs and outer walls are open: %1 closes them.\nThe handles of Height show a single storey.")
+      hint_->showOnce(tr("Roofs and outer walls are open: %1 closes them.\nThe handles of Height show a single storey.")
                           .arg(inside_->shortcut().toString(QKeySequence::NativeText)));
     }
     layout_.update();

@@ -32,6 +32,7 @@ class LevelLook : public QObject {
   void addLayers(const FeatureHost& host);
   void addCutPlane(CommandRegistry& commands);
   void addInside(CommandRegistry& commands);
+  void nameLayer();
   void stepFloor(int direction);
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);

@@ -35,6 +35,10 @@ class LayerPanel : public QWidget {
   [[nodiscard]] std::uint32_t layers() const { return result_ ? result_->layers : 0; }
   /// The only layer that is shown; nothing when several are, or there are no layers.
   [[nodiscard]] std::optional<std::uint32_t> soloLayer() const;
+  /// Null where the result has no such layer.
+  [[nodiscard]] const LayerFigures* figuresOf(std::uint32_t layer) const {
+    return result_ && layer < result_->figures.size() ? &result_->figures[layer] : nullptr;
+  }
   void showOnly(std::uint32_t layer);
   void showAll() { setHidden({}); }
   /// Solo for the next layer up (1) or down (-1), around the ends.

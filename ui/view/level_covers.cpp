@@ -28,7 +28,10 @@ constexpr double kClosed = 0.025;
 constexpr double kThroughWall = 0.3, kThroughRock = 0.04;
 constexpr float kWall = 0.06F;          // of the level's longest side: what is thicker is rock
 constexpr double kMuchOfInside = 0.04;  // of the lines of sight that lead inside, those through one region of rock
-constexpr double kSide = 0.2;           // of a side of the level's box, what a region on it has
+// Of the lines of sight straight down that meet a level region, those that nothing is before: with less, there is a
+// storey above most of it, and it is a floor.
+constexpr double kUnderTheSky = 0.5;
+constexpr double kSide = 0.2;  // of a side of the level's box, what a region on it has
 
 using Point = std::array<float, 3>;
 
@@ -218,7 +221,8 @@ struct Openness {
   explicit Openness(std::size_t triangles) : lines(triangles), open(triangles) {}
 };
 
-std::vector<Sight> look(const Shape& shape, const Direction& direction, Exposure& exposure, Openness& openness) {
+std::vector<Sight> look(const Shape& shape, const Direction& direction, Exposure& exposure, Openness& openness,
+                        Openness* fromAbove) {
   const Sights sights(shape, direction.ahead);
   const float same = 1e-4F * shape.extent;
   std::vector<Sight> found;
@@ -237,6 +241,10 @@ std::vector<Sight> look(const Shape& shape, const Direction& direction, Exposure
       exposure.add(place, normal, open);
       std::atomic_ref(openness.lines[hit->triangle]).fetch_add(1, std::memory_order_relaxed);
       if (open) std::atomic_ref(openness.open[hit->triangle]).fetch_add(1, std::memory_order_relaxed);
+      if (fromAbove) {
+        ++fromAbove->lines[hit->triangle];
+        fromAbove->open[hit->triangle] += open ? 1 : 0;
+      }
       if (!sight) {
         sight = Sight{hit->triangle, place, std::nullopt, {}, 0};
         depth = hit->depth;
@@ -265,6 +273,7 @@ bool isClosed(const Shape& shape, const Openness& openness) {
 /// Lines of sight through one region.
 struct Votes {
   std::uint32_t all = 0, wall = 0, inside = 0;
+  std::uint32_t fromAbove = 0, underTheSky = 0;  ///< lines of sight straight down that meet it
   double area = 0;
 };
 
@@ -290,9 +299,10 @@ std::vector<bool> findCovers(const std::vector<SurfaceVertex>& surface, const st
   const std::vector<Direction> all = directions();
   std::vector<std::vector<Sight>> sights(all.size());
   Exposure exposure(shape);
-  Openness openness(shape.count());
+  Openness openness(shape.count()), fromAbove(shape.count());
   forRanges(all.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) sights[i] = look(shape, all[i], exposure, openness);
+    for (std::size_t i = first; i < last; ++i)
+      sights[i] = look(shape, all[i], exposure, openness, i == 0 ? &fromAbove : nullptr);
   });
   if (!isClosed(shape, openness)) return covers;
 
@@ -310,12 +320,19 @@ std::vector<bool> findCovers(const std::vector<SurfaceVertex>& surface, const st
       if (sight.thickness > 0 && sight.thickness < kWall * shape.extent) ++region.wall;
     }
   }
+  for (std::size_t t = 0; t < shape.count(); ++t) {
+    votes[regions[t]].fromAbove += fromAbove.lines[t];
+    votes[regions[t]].underTheSky += fromAbove.open[t];
+  }
   bool roof = false;
   for (std::size_t t = 0; t < shape.count(); ++t) {
     Votes& region = votes[regions[t]];
     region.area += static_cast<double>(shape.areas[t]);
     const bool rock = region.inside > 0 && region.inside >= kThroughRock * region.all &&
                       static_cast<double>(region.inside) >= kMuchOfInside * static_cast<double>(inside);
+    const bool isFloor = shape.normals[t][2] > kFloorNormal && region.fromAbove > 0 &&
+                         region.underTheSky < kUnderTheSky * region.fromAbove;
+    if (isFloor) continue;
     covers[t] = rock || (region.wall > 0 && region.wall >= kThroughWall * region.all);
     roof = roof || (rock && shape.normals[t][2] > kFloorNormal);
   }

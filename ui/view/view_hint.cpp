@@ -35,6 +35,13 @@ void ViewHint::showText(const QString& text) {
   setVisible(!QSettings().value(setting_).toBool());
 }
 
+void ViewHint::showOnce(const QString& text) {
+  const QString seen = setting_ + QStringLiteral("-seen");
+  if (QSettings().value(seen).toBool()) return hide();
+  showText(text);
+  QSettings().setValue(seen, true);
+}
+
 void ViewHint::fitInto(int room) {
   text_->setWordWrap(false);
   layout()->activate();

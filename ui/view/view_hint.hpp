@@ -16,6 +16,8 @@ class ViewHint : public QFrame {
   ViewHint(const QString& setting, QWidget* view);
 
   /// Shows the text, unless it has been closed once.
+  /// Shows the text unless it has been shown for another level already; close or not, once is enough.
+  void showOnce(const QString& text);
   void showText(const QString& text);
   /// Makes the hint as wide as its lines, but not wider than `room`: longer lines are broken.
   void fitInto(int room);

@@ -81,7 +81,8 @@ void ViewLayout::place(const QSize& view) const {
 
 std::vector<QRect> ViewLayout::covered() const {
   std::vector<QRect> rects;
-  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_}) {
+  for (const QWidget* widget :
+       std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_, hint_.data()}) {
     if (shown(widget)) rects.push_back(widget->geometry());
   }
   return rects;
