@@ -44,7 +44,7 @@ FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, 
   outcome.note = countedText(state->mesh->links.size(), FOOTFALL_TEXT("1 link"), FOOTFALL_TEXT("%1 links"));
   if (linker.undecided() > 0) {
     outcome.note =
-        Text(FOOTFALL_TEXT("%1; undecided, and not linked: %2"), outcome.note, Text::count(linker.undecided()));
+        Text(FOOTFALL_TEXT("%1 (%2 more could not be verified)"), outcome.note, Text::count(linker.undecided()));
   }
   outcome.state = std::move(state);
   return outcome;

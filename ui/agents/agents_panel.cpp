@@ -159,7 +159,7 @@ void AgentsPanel::fillAddMenu() {
   }
   addMenu_->addSeparator();
   addMenu_
-      ->addAction(tr("As the &filters are"), this,
+      ->addAction(tr("Sizes of the &filters"), this,
                   [this] { addAgent(document_, agentOfFilters(document_.state(), metresPerUnit_)); })
       ->setObjectName(QStringLiteral("agentOfFilters"));
 }

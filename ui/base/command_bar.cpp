@@ -23,7 +23,7 @@ int CommandBar::widthWith(Qt::ToolButtonStyle style) {
   return layout()->sizeHint().width();
 }
 
-void CommandBar::shareWidth(const QList<CommandBar*>& bars, int width) {
+int CommandBar::shareWidth(const QList<CommandBar*>& bars, int width) {
   QList<int> wide, narrow;
   for (CommandBar* bar : bars) {
     narrow << (bar->isHidden() ? 0 : bar->widthWith(Qt::ToolButtonIconOnly));
@@ -35,6 +35,7 @@ void CommandBar::shareWidth(const QList<CommandBar*>& bars, int width) {
     bars[i]->widthWith(Qt::ToolButtonIconOnly);
     needed += narrow[i] - wide[i];
   }
+  return needed;
 }
 
 }  // namespace footfall::ui

@@ -14,8 +14,9 @@ class CommandBar : public QToolBar {
  public:
   CommandBar(const QString& title, const QString& name, QWidget* parent);
 
-  /// Bars that stand in one row of `width`: the last ones lose their texts first.
-  static void shareWidth(const QList<CommandBar*>& bars, int width);
+  /// Bars that stand in one row of `width`: the last ones lose their texts first. Returns the width that they need even
+  /// so.
+  static int shareWidth(const QList<CommandBar*>& bars, int width);
 
  private:
   int widthWith(Qt::ToolButtonStyle style);

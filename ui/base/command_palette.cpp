@@ -220,7 +220,7 @@ void CommandPalette::showMatches() {
     model_->appendRow(item);
   }
   if (model_->rowCount() == 0) {
-    auto* none = new QStandardItem(tr("Nothing is called so"));
+    auto* none = new QStandardItem(tr("No command found"));
     none->setFlags(Qt::NoItemFlags);
     model_->appendRow(none);
   }

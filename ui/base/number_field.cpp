@@ -56,7 +56,6 @@ QString unitText(Unit unit, const LevelUnits& units) {
     case Unit::Area:
       return units.areaName();
     case Unit::Count:
-      return NumberField::tr("count");
     case Unit::None:
       break;
   }

@@ -59,7 +59,7 @@ void SkippedFeature::follow() {
   const SkippedElements& skipped = environment ? environment->skipped : SkippedElements{};
   panel_->show(skipped, [units = units_.units()](const Vec3& place) { return units.place(place); });
   show_->setVisible(skipped.polygons > 0);
-  show_->setText(tr("%n polygons were left out: list", "", static_cast<int>(skipped.polygons)));
+  show_->setText(tr("%n polygons left out: show them", "", static_cast<int>(skipped.polygons)));
 }
 
 void SkippedFeature::frame(int row) {

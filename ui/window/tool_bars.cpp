@@ -41,6 +41,17 @@ void ToolBars::addTool(const CommandRegistry::Entry& entry) {
   shareWidth();
 }
 
-void ToolBars::shareWidth() { CommandBar::shareWidth({main_, tools_}, window_.width()); }
+// Where even the icons have no room in one row, the tools get one of their own: none of them is out of sight.
+void ToolBars::shareWidth() {
+  const bool breaks = CommandBar::shareWidth({main_, tools_}, window_.width()) > window_.width();
+  if (breaks != window_.toolBarBreak(tools_)) {
+    if (breaks)
+      window_.insertToolBarBreak(tools_);
+    else
+      window_.removeToolBarBreak(tools_);
+  }
+  if (!breaks) return;
+  for (CommandBar* bar : {main_, tools_}) CommandBar::shareWidth({bar}, window_.width());
+}
 
 }  // namespace footfall::ui

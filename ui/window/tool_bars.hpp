@@ -20,7 +20,8 @@ class ToolBars : public QObject {
   [[nodiscard]] CommandBar& main() { return *main_; }
   /// Adds an action to the main bar; `text` is shorter than in the menu.
   void add(QAction* action, const QString& text);
-  /// Both lie in one row: what has no room shows icons alone. To be called when the window's width has changed.
+  /// Both lie in one row where they have room: what has none shows icons alone. To be called when the window's width
+  /// has changed.
   void shareWidth();
 
  private:
