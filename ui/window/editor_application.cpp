@@ -23,6 +23,7 @@
 #include "ui/level/packed_feature.hpp"
 #include "ui/view/view_hint.hpp"
 #include "ui/window/editor_window.hpp"
+#include "ui/window/preferences.hpp"
 #include "ui/window/window_placement.hpp"
 
 namespace footfall::ui {
@@ -167,6 +168,8 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   const std::string problem = displayProblem(probe);
   if (!problem.empty()) return fail(2, QString::fromStdString(problem));
   requestOpenGl();
+  // Pictures are the same for everybody.
+  if (options.screenshot.empty()) applyInterfaceScale();
   GuardedApplication application(argc, argv);
   probe.reset();
   prepareApplication();
@@ -194,15 +197,15 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   if (!shooting && options.environment.empty()) window.offerRestoring();
   if (!options.environment.empty()) {
     const QString path = QFile::decodeName(options.environment.c_str());
-    // After the loop has begun, so that a problem can end it.
-    QMetaObject::invokeMethod(
-        &window,
     // Opening takes messages away.
     if (!shooting) {
       const auto offer = [&window, path] { window.offerRestoring(path); };
       QObject::connect(&window.file(), &LevelFile::opened, &window, offer, Qt::SingleShotConnection);
       QObject::connect(&window, &EditorWindow::loadFailed, &window, offer, Qt::SingleShotConnection);
     }
+    // After the loop has begun, so that a problem can end it.
+    QMetaObject::invokeMethod(
+        &window,
         [&window, &options, path, shooting] {
           window.openWith(path, options.pipeline, options.import);
           if (options.top && !shooting) window.view().cameraController().viewFromTop();

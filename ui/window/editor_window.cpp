@@ -34,6 +34,7 @@
 #include "ui/view/camera_tools.hpp"
 #include "ui/window/export_commands.hpp"
 #include "ui/window/palette_sources.hpp"
+#include "ui/window/preferences.hpp"
 
 namespace footfall::ui {
 
@@ -151,6 +152,18 @@ void EditorWindow::createComforts() {
   runLog_ = new RunLog(*host_, log_, document_, file_, controller_, *writer_);
   if (auto* application = qobject_cast<GuardedApplication*>(qApp))
     connect(application, &GuardedApplication::problemReported, messages_, &MessageBar::showError);
+  auto* keys = new UserKeys(commands_, this);
+  commands_.add({QStringLiteral("edit.preferences"),
+                 CommandMenu::Edit,
+                 QStringLiteral("preferences"),
+                 tr("&Preferences..."),
+                 tr("Units, threads, theme, language, size of the interface, and keys"),
+                 {QKeySequence(Qt::CTRL | Qt::Key_Comma)}},
+                [this, keys](bool) {
+                  auto* dialog = new Preferences(commands_, *keys, units_, cells_->threads(), this);
+                  dialog->setAttribute(Qt::WA_DeleteOnClose);
+                  dialog->open();
+                });
   palette_ = new CommandPalette(this);
   addPaletteSources(*palette_, commands_, document_, file_, recent_, *opening_);
   commands_.add({QStringLiteral("help.palette"),
@@ -263,6 +276,7 @@ void EditorWindow::connectRuns() {
     commands_.find(QStringLiteral("file.plan"))->setEnabled(true);
   });
   new ResultSummary(controller_, units_, *status_);
+  drawingNote_ = new DrawingNote(controller_, *view_, *status_, this);
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();
     messages_->finish(MessageSubject::Run);
@@ -278,7 +292,6 @@ void EditorWindow::connectRuns() {
 }
 
 void EditorWindow::connectProgress() {
-  drawingNote_ = new DrawingNote(controller_, *view_, *status_, this);
   connect(&file_, &LevelFile::started, this,
           [this](const QString& path) { showProgress(tr("Loading %1").arg(QFileInfo(path).fileName()), -1); });
   connect(&file_, &LevelFile::arrived, this, &EditorWindow::hideProgress);
