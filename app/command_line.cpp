@@ -24,6 +24,7 @@ void runCommandLine(int argc, const char* const* argv) {
   addJoinCommand(app);
   addCellsCommand(app);
   addPathCommand(app);
+  addCorridorsCommand(app);
   addPlanCommand(app);
   addCompareCommand(app);
   addFiltersCommand(app);

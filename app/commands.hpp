@@ -27,6 +27,8 @@ void addCellsCommand(CLI::App& app);
 /// `footfall path`: the shortest path between two places. Where the target cannot be reached, the path leads to the
 /// nearest place that can, and is reported and written as well, before that is an error.
 void addPathCommand(CLI::App& app);
+/// `footfall corridors`: how wide passages are, by the corridor map.
+void addCorridorsCommand(CLI::App& app);
 /// `footfall plan`: floor plans as SVG or PDF, and the walkable area as polygons (well-known text, GeoJSON).
 void addPlanCommand(CLI::App& app);
 /// `footfall compare`: how two navigation meshes differ.

@@ -604,6 +604,10 @@
         <translation>die Pipeline</translation>
     </message>
     <message>
+        <source>the corridor map</source>
+        <translation>die Karte der Durchgänge</translation>
+    </message>
+    <message>
         <source>the path</source>
         <translation>der Weg</translation>
     </message>

@@ -15,6 +15,7 @@
 
 #include "footfall/agent.hpp"
 #include "footfall/compare.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/errors.hpp"

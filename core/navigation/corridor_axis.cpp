@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/corridor_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+#include "core/base/disjoint_sets.hpp"
+#include "core/base/parallel_ranges.hpp"
+#include "core/exact/source_predicates.hpp"
+#include "core/navigation/axis_labels.hpp"
+#include "core/navigation/axis_vertex.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kNone = FieldEdge::kNone;
+
+/// A parabola about a corner, along an edge's line: at x along the line it is (x x + h h) / (2 h) away from it.
+struct AxisParabola {
+  double height = 0, from = 0, to = 0;
+};
+AxisParabola parabolaOf(const FieldFeature& edge, const FieldFeature& corner, FieldVector from, FieldVector to) {
+  return {dot(corner.place - edge.place, edge.inward), dot(from - corner.place, edge.along),
+          dot(to - corner.place, edge.along)};
+}
+
+/// The middle of a piece of axis between two features.
+FieldVector middleOf(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to) {
+  const FieldVector middle = (from + to) * 0.5;
+  if (a.isCorner() == b.isCorner()) return middle;
+  const FieldFeature &edge = a.isCorner() ? b : a, &corner = a.isCorner() ? a : b;
+  const AxisParabola p = parabolaOf(edge, corner, from, to);
+  const double x = (p.from + p.to) / 2;
+  // A corner of the edge, up to roundings: no parabola, but the edge's normal.
+  if (p.height <= 1e-9 * (lengthOf(to - from) + std::fabs(x))) return middle;
+  return corner.place + edge.along * x + edge.inward * ((x * x / p.height - p.height) / 2);
+}
+
+double distanceTo(const FieldFeature& feature, FieldVector p) { return lengthOf(feature.nearestTo(p) - p); }
+
+/// The pieces of axis of one face. Numbers from `kOwn` on are nodes of its own.
+struct FaceAxis {
+  static constexpr std::uint32_t kOwn = 0x80000000;
+  std::vector<AxisNode> nodes;
+  std::vector<AxisArc> arcs;
+};
+
+/// A stretch of the border of what is left of a face, the feature nearest there, and the node at its end.
+struct AxisCell {
+  std::uint32_t feature = 0, node = 0;
+  FieldVector place;  ///< of the node
+};
+
+/// Takes out the cells of a face one by one.
+class FaceForest {
+ public:
+  FaceForest(const ClearanceField& field, std::uint32_t face, std::vector<AxisCell> cells)
+      : field_(field), surface_(field.surface()), face_(face), cells_(std::move(cells)) {
+    for (const AxisCell& cell : cells_) features_.push_back(cell.feature);
+    std::sort(features_.begin(), features_.end());
+    features_.erase(std::unique(features_.begin(), features_.end()), features_.end());
+  }
+
+  FaceAxis make() {
+    ends_.resize(cells_.size());
+    for (std::size_t i = 0; i < cells_.size(); ++i) ends_[i] = endOf(i);
+    while (cells_.size() > 2) {
+      std::size_t best = 0;
+      for (std::size_t i = 1; i < ends_.size(); ++i)
+        if (ends_[i].fault < ends_[best].fault) best = i;
+      takeOutCell(best);
+    }
+    if (cells_.size() == 2 && cells_[0].feature != cells_[1].feature)
+      addArc(cells_[0].node, cells_[1].node, cells_[0].feature, cells_[1].feature);
+    return std::move(axis_);
+  }
+
+ private:
+  /// Where a cell ends between its neighbours.
+  struct End {
+    FieldVector place;
+    double fault = kInfinity;  ///< by how much it is not where three cells meet
+  };
+
+  [[nodiscard]] const FieldFeature& feature(std::uint32_t number) const { return field_.features()[number]; }
+  [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? cells_.size() - 1 : i - 1; }
+  [[nodiscard]] std::size_t behind(std::size_t i) const { return i + 1 == cells_.size() ? 0 : i + 1; }
+
+  /// By how much a feature is farther from a place than the nearest one, and the place lies outside of the face.
+  [[nodiscard]] double faultAt(FieldVector p, std::uint32_t of) const {
+    double least = kInfinity;
+    for (const std::uint32_t f : features_) least = std::min(least, distanceTo(feature(f), p));
+    double outside = 0;
+    for (int side = 0; side < 3; ++side) {
+      const std::uint32_t half = surface_.halves[face_][side];
+      const FieldEdge& edge = surface_.edges[half >> 1];
+      const double in = cross(edge.along, p - edge.begin);
+      outside = std::max(outside, (half & 1) != 0 ? in : -in);
+    }
+    return distanceTo(feature(of), p) - least + outside;
+  }
+
+  [[nodiscard]] End endOf(std::size_t i) const {
+    const AxisCell &last = cells_[before(i)], &own = cells_[i], &next = cells_[behind(i)];
+    const FieldVector middle = (last.place + own.place) * 0.5;
+    if (last.feature == next.feature) {
+      const FieldVector p = middleOf(feature(own.feature), feature(last.feature), last.place, own.place);
+      return {p, faultAt(p, own.feature)};
+    }
+    // Between its own edges the cell of a corner begins.
+    if (pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
+        pairOf(field_, own.feature, next.feature) == AxisPair::Joined && feature(own.feature).isCorner())
+      return {own.place, kInfinity};
+    std::array<FieldVector, 2> places;
+    const int count = equallyFar(
+        {axisFeature(field_, last.feature), axisFeature(field_, own.feature), axisFeature(field_, next.feature)},
+        places);
+    End end{middle, kInfinity};
+    for (int k = 0; k < count; ++k) {
+      double fault = 0;
+      for (const std::uint32_t f : {last.feature, own.feature, next.feature})
+        fault = std::max(fault, faultAt(places[k], f));
+      // A feature may have several cells: the ways to where three meet must lie between these ones.
+      for (const auto& [other, from] : {std::pair{last.feature, last.place}, std::pair{next.feature, own.place}})
+        fault = std::max(fault, faultAt(middleOf(feature(own.feature), feature(other), from, places[k]), own.feature));
+      if (fault < end.fault) end = {places[k], fault};
+    }
+    // Formulas that say nothing, or too little: the cell ends where its nodes are, as far as that is worse.
+    const double fault =
+        std::max(faultAt(middle, last.feature), faultAt(middle, next.feature)) + lengthOf(last.place - own.place);
+    return end.fault <= fault ? end : End{middle, fault};
+  }
+
+  void addArc(std::uint32_t from, std::uint32_t to, std::uint32_t a, std::uint32_t b) {
+    if (from != to) axis_.arcs.push_back({from, to, {std::min(a, b), std::max(a, b)}, face_});
+  }
+
+  void takeOutCell(std::size_t i) {
+    const std::size_t last = before(i), next = behind(i);
+    if (cells_[last].feature == cells_[next].feature) {
+      addArc(cells_[last].node, cells_[i].node, cells_[i].feature, cells_[last].feature);
+      // Both neighbours are one cell, whose end is that of the second one.
+      cells_[next].feature = cells_[last].feature;
+      erase({i, last});
+      return;
+    }
+    const FieldVector place = ends_[i].place;
+    double distance = kInfinity;
+    for (const std::size_t k : {last, i, next})
+      distance = std::min(distance, distanceTo(feature(cells_[k].feature), place));
+    const auto node = static_cast<std::uint32_t>(FaceAxis::kOwn + axis_.nodes.size());
+    axis_.nodes.push_back({place, distance, face_});
+    addArc(cells_[last].node, node, cells_[last].feature, cells_[i].feature);
+    addArc(cells_[i].node, node, cells_[i].feature, cells_[next].feature);
+    cells_[last].node = node;
+    cells_[last].place = place;
+    erase({i});
+  }
+
+  void erase(std::vector<std::size_t> which) {
+    std::sort(which.rbegin(), which.rend());
+    std::size_t near = which.back();
+    for (const std::size_t i : which) {
+      cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
+      ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+    if (cells_.size() <= 2) return;
+    near = near >= cells_.size() ? 0 : near;
+    for (const std::size_t i : {before(before(near)), before(near), near, behind(near)}) ends_[i] = endOf(i);
+  }
+
+  const ClearanceField& field_;
+  const FieldSurface& surface_;
+  std::uint32_t face_;
+  std::vector<AxisCell> cells_;
+  std::vector<End> ends_;
+  std::vector<std::uint32_t> features_;
+  FaceAxis axis_;
+};
+
+/// Nodes on edges and at corners of the mesh.
+class AxisMaker {
+ public:
+  AxisMaker(const ClearanceField& field, Poll poll) : field_(field), surface_(field.surface()), poll_(poll) {}
+
+  CorridorAxis make() {
+    makeLabels();
+    std::vector<FaceAxis> pieces(surface_.faces.size());
+    forRanges(pieces.size(), 256, [this, &pieces](std::size_t begin, std::size_t end) {
+      poll_();
+      for (std::size_t f = begin; f < end; ++f) {
+        const auto face = static_cast<std::uint32_t>(f);
+        if (!surface_.takesPart(face)) continue;
+        std::vector<AxisCell> cells = cellsOf(face);
+        if (cells.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(cells)).make();
+      }
+    });
+    for (const FaceAxis& piece : pieces) {
+      const auto first = static_cast<std::uint32_t>(axis_.nodes.size());
+      const auto number = [&](std::uint32_t node) {
+        return node >= FaceAxis::kOwn ? first + (node - FaceAxis::kOwn) : node;
+      };
+      axis_.nodes.insert(axis_.nodes.end(), piece.nodes.begin(), piece.nodes.end());
+      for (AxisArc arc : piece.arcs) {
+        arc.from = number(arc.from);
+        arc.to = number(arc.to);
+        axis_.arcs.push_back(arc);
+      }
+    }
+    joinNear();
+    return std::move(axis_);
+  }
+
+ private:
+  /// Makes one node of those that very short arcs join. Where features are equally near along a whole stretch, cells
+  /// without area may lie between them, with an arc on either side: such pairs go.
+  void joinNear() {
+    const double least = 4 * field_.margin();
+    DisjointSets sets(axis_.nodes.size());
+    for (const AxisArc& arc : axis_.arcs)
+      if (lengthOf(axis_.nodes[arc.to].place - axis_.nodes[arc.from].place) <= least)
+        sets.unite(static_cast<Index>(arc.from), static_cast<Index>(arc.to));
+    // Those within faces, which come last, are by formulas; the others may be off by the margin.
+    for (std::uint32_t n = cornerNodes_ + static_cast<std::uint32_t>(surface_.topology.fanVertices.size());
+         n < axis_.nodes.size(); ++n)
+      axis_.nodes[sets.find(static_cast<Index>(n))] = axis_.nodes[n];
+    std::vector<AxisArc> arcs;
+    for (AxisArc arc : axis_.arcs) {
+      arc.from = static_cast<std::uint32_t>(sets.find(static_cast<Index>(arc.from)));
+      arc.to = static_cast<std::uint32_t>(sets.find(static_cast<Index>(arc.to)));
+      if (arc.from > arc.to) std::swap(arc.from, arc.to);
+      if (arc.from != arc.to) arcs.push_back(arc);
+    }
+    const auto key = [](const AxisArc& arc) { return std::tie(arc.from, arc.to, arc.features); };
+    std::stable_sort(arcs.begin(), arcs.end(), [&](const AxisArc& a, const AxisArc& b) { return key(a) < key(b); });
+    axis_.arcs.clear();
+    for (std::size_t i = 0, end = 0; i < arcs.size(); i = end) {
+      while (end < arcs.size() && key(arcs[end]) == key(arcs[i])) ++end;
+      if ((end - i) % 2 == 1) axis_.arcs.push_back(arcs[i]);
+    }
+  }
+
+  void addNode(FieldVector place, std::uint32_t a, std::uint32_t b, std::uint32_t face) {
+    const auto& features = field_.features();
+    axis_.nodes.push_back({place, std::min(distanceTo(features[a], place), distanceTo(features[b], place)), face});
+  }
+
+  void makeLabels() {
+    labels_.resize(surface_.edges.size());
+    forRanges(labels_.size(), 256, [this](std::size_t begin, std::size_t end) {
+      poll_();
+      for (std::size_t e = begin; e < end; ++e) {
+        const auto edge = static_cast<std::uint32_t>(e);
+        if (!surface_.edges[e].isBorder())
+          labels_[e] = labelsOf(field_, edge);
+        else if (field_.featureOfEdge(edge) != kNone)
+          labels_[e] = {{field_.featureOfEdge(edge), surface_.edges[e].length}};
+      }
+    });
+    nodes_.resize(labels_.size());
+    for (std::size_t e = 0; e < labels_.size(); ++e) {
+      nodes_[e] = static_cast<std::uint32_t>(axis_.nodes.size());
+      for (std::size_t i = 0; i + 1 < labels_[e].size(); ++i)
+        addNode(surface_.edges[e].at(labels_[e][i].end), labels_[e][i].feature, labels_[e][i + 1].feature,
+                surface_.edges[e].faces[0]);
+    }
+    // A node for each corner of the mesh; most have no arcs.
+    cornerNodes_ = static_cast<std::uint32_t>(axis_.nodes.size());
+    axis_.nodes.resize(axis_.nodes.size() + surface_.topology.fanVertices.size());
+    for (std::uint32_t f = 0; f < surface_.faces.size(); ++f)
+      for (int i = 0; i < 3 && surface_.takesPart(f); ++i) {
+        AxisNode& node = axis_.nodes[cornerNodes_ + surface_.topology.fans[f][i]];
+        const FieldVector p = surface_.corner(f, i);
+        double distance = kInfinity;
+        for (const int side : {i, (i + 2) % 3})
+          for (const AxisLabel& label : labels_[surface_.halves[f][side] >> 1])
+            distance = std::min(distance, distanceTo(field_.features()[label.feature], p));
+        node = {p, distance, f};
+      }
+  }
+
+  [[nodiscard]] std::vector<AxisCell> cellsOf(std::uint32_t face) const {
+    std::vector<AxisCell> cells;
+    const auto add = [&](const AxisCell& cell) {
+      if (!cells.empty() && cells.back().feature == cell.feature) cells.pop_back();
+      cells.push_back(cell);
+    };
+    for (int side = 0; side < 3; ++side) {
+      const std::uint32_t fan = surface_.topology.fans[face][side], own = field_.featureOfFan(fan);
+      // The cell of a corner of the border may touch the border of the face nowhere else.
+      if (own != kNone) add({own, cornerNodes_ + fan, surface_.corner(face, side)});
+      const std::uint32_t half = surface_.halves[face][side], edge = half >> 1;
+      const auto& labels = labels_[edge];
+      const std::size_t count = labels.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t at = (half & 1) != 0 ? count - 1 - i : i;
+        const std::size_t node = nodes_[edge] + ((half & 1) != 0 ? at - 1 : at);
+        const bool isLast = i + 1 == count;
+        const std::uint32_t corner = cornerNodes_ + surface_.topology.fans[face][(side + 1) % 3];
+        const std::uint32_t end = isLast ? corner : static_cast<std::uint32_t>(node);
+        add({labels[at].feature, end, axis_.nodes[end].place});
+      }
+    }
+    while (cells.size() > 1 && cells.front().feature == cells.back().feature) cells.pop_back();
+    if (cells.size() == 1) cells.clear();
+    return cells;
+  }
+
+  const ClearanceField& field_;
+  const FieldSurface& surface_;
+  Poll poll_;
+  std::vector<std::vector<AxisLabel>> labels_;  ///< of each edge
+  std::vector<std::uint32_t> nodes_;            ///< the first node of each edge
+  std::uint32_t cornerNodes_ = 0;
+  CorridorAxis axis_;
+};
+
+}  // namespace
+
+CorridorAxis makeCorridorAxis(const ClearanceField& field, Poll poll) { return AxisMaker(field, poll).make(); }
+
+AxisPair pairOf(const ClearanceField& field, std::uint32_t a, std::uint32_t b) {
+  const AxisFeature f = axisFeature(field, a), g = axisFeature(field, b);
+  const bool isBefore = f.endFan == g.beginFan, isBehind = g.endFan == f.beginFan;
+  if (!isBefore && !isBehind) return AxisPair::Apart;
+  if (f.feature->isCorner() && g.feature->isCorner()) return AxisPair::Apart;
+  if (f.feature->isCorner() || g.feature->isCorner()) return AxisPair::Joined;
+  const FieldFeature &first = *(isBefore ? f : g).feature, &second = *(isBefore ? g : f).feature;
+  const FieldSurface& surface = field.surface();
+  const FieldVector p = surface.corner(first.face, first.side), q = surface.corner(second.face, second.side),
+                    r = surface.corner(second.face, second.side + 1);
+  return facing({p.x, p.y, 0}, {q.x, q.y, 0}, {r.x, r.y, 0}) > 0 ? AxisPair::Convex : AxisPair::Joined;
+}
+
+double areaBeside(const FieldFeature& feature, const FieldFeature& other, FieldVector from, FieldVector to) {
+  if (feature.isCorner()) {
+    const double straight = std::fabs(cross(from - feature.place, to - feature.place)) / 2;
+    if (other.isCorner()) return straight;
+    const AxisParabola p = parabolaOf(other, feature, from, to);
+    if (!(p.height > 0)) return straight;
+    // The rays from the focus to a parabola sweep half of what its distances to the directrix do.
+    return std::fabs((p.to * p.to * p.to - p.from * p.from * p.from) / 3 + p.height * p.height * (p.to - p.from)) /
+           (4 * p.height);
+  }
+  const double width = dot(to - from, feature.along);
+  const double a = dot(from - feature.place, feature.inward), b = dot(to - feature.place, feature.inward);
+  if (!other.isCorner()) return std::fabs(width) * (a + b) / 2;
+  const AxisParabola p = parabolaOf(feature, other, from, to);
+  if (!(p.height > 0)) return std::fabs(width) * (a + b) / 2;
+  return std::fabs((p.to * p.to * p.to - p.from * p.from * p.from) / 3 + p.height * p.height * (p.to - p.from)) /
+         (2 * p.height);
+}
+
+double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to) {
+  const double chord = lengthOf(to - from);
+  if (a.isCorner() == b.isCorner()) return chord;
+  const AxisParabola p = parabolaOf(a.isCorner() ? b : a, a.isCorner() ? a : b, from, to);
+  if (!(p.height > 0)) return chord;
+  const auto primitive = [](double s) { return (s * std::sqrt(1 + s * s) + std::asinh(s)) / 2; };
+  return std::max(chord, p.height * std::fabs(primitive(p.to / p.height) - primitive(p.from / p.height)));
+}
+
+}  // namespace footfall::detail
