@@ -1,10 +1,11 @@
 // The command line program: `footfall run`, `why`, `cells`, `compare`, `info`, `pack` and so on. Needs no display.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
 #include <cstdio>
 #include <exception>
-#include <new>
 
 #include "app/command_line.hpp"
+#include "core/base/exhaustion.hpp"
 #include "footfall/errors.hpp"
 
 namespace {
@@ -19,6 +20,7 @@ int fail(ExitCode code, const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // writing says that nobody reads any more
   try {
     footfall::app::runCommandLine(argc, argv);
     return kDone;
@@ -28,9 +30,8 @@ int main(int argc, char** argv) {
     return fail(kRunFailed, error.what());
   } catch (const footfall::Cancelled&) {
     return fail(kRunFailed, "cancelled");
-  } catch (const std::bad_alloc&) {
-    return fail(kRunFailed, "memory ran out; close other programs or use a smaller environment");
   } catch (const std::exception& error) {
+    if (const auto ranOut = footfall::detail::exhaustionText(error)) return fail(kRunFailed, ranOut->str().c_str());
     std::fprintf(stderr, "footfall: internal error (%s); please report it with what you typed\n", error.what());
     return kRunFailed;
   }

@@ -11,6 +11,7 @@
 #include "app/command_options.hpp"
 #include "app/commands.hpp"
 #include "app/mpi/mpi_program.hpp"
+#include "core/base/exhaustion.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
 
@@ -84,7 +85,10 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     fail(kRunFailed, "memory ran out; close other programs, use more machines or a smaller environment");
   } catch (const std::exception& error) {
-    fail(kRunFailed, "internal error (" + std::string(error.what()) + "); please report it with what you typed");
+    const auto ranOut = detail::exhaustionText(error);
+    fail(kRunFailed, ranOut
+                         ? ranOut->str()
+                         : "internal error (" + std::string(error.what()) + "); please report it with what you typed");
   }
   program.leave(code);
   return code;

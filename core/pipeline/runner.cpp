@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/background_release.hpp"
+#include "core/base/exhaustion.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
 #include "core/filters/rounding/settled_product.hpp"
@@ -68,6 +69,7 @@ auto guarded(const Text& where, Work&& work) {
   } catch (const std::bad_alloc&) {
     throw RunError(FOOTFALL_TEXT("%1: memory ran out; close other programs or use a smaller environment"), where);
   } catch (const std::exception& error) {
+    if (const auto ranOut = exhaustionText(error)) throw RunError(Pattern{"%1: %2"}, where, *ranOut);
     throw RunError(FOOTFALL_TEXT("%1: internal error (%2); please report it with the environment's file"), where,
                    error.what());
   }
