@@ -135,6 +135,7 @@ void addCellsCommand(CLI::App& app) {
                           "One step of the pipeline; give it once for each step");
   addThreads(command, options->threads, "Threads to plan for; as many as there are processors by default");
   command.add_option("-o,--output", options->output, "Write the environment, cut along the cells, to this OBJ file")
+      ->check(hasName())
       ->type_name("CELLS.obj");
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.callback([options] { print(previewCells(*options)); });

@@ -3,7 +3,9 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
+#include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
 
@@ -27,6 +29,10 @@ void EnvironmentOptions::addFileTo(CLI::App& command) {
           "Round coordinates to a grid: auto (files of floats, such as glTF and FBX), on, off, or a step in units "
           "of the file; auto when left out")
       ->type_name("auto|on|off|STEP");
+  command.add_flag_callback(
+      "--no-import-limits", [] { ::setenv("FOOTFALL_IMPORT_LIMITS", "off", 1); },
+      "Let the reading of other formats than OBJ take what time and memory it wants; usually it ends where that "
+      "takes far more than files of that size need");
 }
 
 void EnvironmentOptions::addTo(CLI::App& command) {
@@ -81,12 +87,19 @@ void PipelineOptions::addTo(CLI::App& command, const std::string& fileHelp, cons
   command.add_option("--filter", steps, stepHelp)->allow_extra_args(false)->excludes(fileOption)->type_name("STEP");
 }
 
-std::optional<Pipeline> PipelineOptions::given() const {
-  if (!file.empty()) return readPipelineFile(file);
+std::optional<Pipeline> PipelineOptions::given(const RunContext* context) const {
+  if (!file.empty()) return readPipeline(file, context);
   if (steps.empty()) return std::nullopt;
   std::string text;
   for (const std::string& step : steps) text += step + '\n';
   return parsePipeline(text, "--filter");
+}
+
+CLI::Validator hasName() {
+  CLI::Validator validator;
+  validator.operation(
+      [](std::string& name) { return name.empty() ? std::string("an empty name is no file") : std::string(); });
+  return validator;
 }
 
 void addThreads(CLI::App& command, int& threads, const std::string& help) {

@@ -12,6 +12,7 @@
 #include "core/io/write_targets.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/run_context.hpp"
 
 namespace footfall::app {
 
@@ -22,6 +23,7 @@ struct EnvironmentOptions {
   std::optional<double> metresPerUnit;
   bool bothSides = false;
   std::string grid;                                         ///< auto, on, off, or a step; empty: auto
+  bool limits = true;                                       ///< of time and memory for reading other formats
   std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);
@@ -40,8 +42,9 @@ struct PipelineOptions {
 
   /// The helps of both options, which differ by what the pipeline is for.
   void addTo(CLI::App& command, const std::string& fileHelp, const std::string& stepHelp);
-  /// Empty where the default pipeline is meant, which needs the environment's scale. Throws InputError.
-  [[nodiscard]] std::optional<Pipeline> given() const;
+  /// Empty where the default pipeline is meant, which needs the environment's scale. Throws InputError, and
+  /// Cancelled while a pipe is waited for.
+  [[nodiscard]] std::optional<Pipeline> given(const RunContext* context = nullptr) const;
 };
 
 void addThreads(CLI::App& command, int& threads,
@@ -50,6 +53,8 @@ void addThreads(CLI::App& command, int& threads,
 void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help);
 /// `--part` (from 1; 0 where it is not given) and `--crs`, for polygons.
 void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coordinateSystem);
+/// For options that name a file to write: an empty name is an error, where it would be taken for none.
+CLI::Validator hasName();
 /// An option with three coordinates.
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,
                       const std::string& help);

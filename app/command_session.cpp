@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <iostream>
 
 #include "core/environment/part_rules.hpp"
@@ -51,7 +52,10 @@ RunResult CommandSession::run(const std::shared_ptr<const Environment>& environm
 }
 
 void print(const std::string& text) {
-  if (!(std::cout << text).flush()) throw RunError("standard output cannot be written; check where it leads");
+  errno = 0;
+  if ((std::cout << text).flush()) return;
+  if (errno == EPIPE) throw RunError("standard output was closed by its reader before all was written");
+  throw RunError("standard output cannot be written; check where it leads");
 }
 
 }  // namespace footfall::app

@@ -29,7 +29,8 @@ std::string formatHelp() {
 }  // namespace
 
 CLI::Option* ExportCommandOptions::addTo(CLI::App& command, const std::string& outputHelp) {
-  CLI::Option* output = command.add_option("-o,--output", this->output, formatHelp() + outputHelp)->type_name("OUT");
+  CLI::Option* output =
+      command.add_option("-o,--output", this->output, formatHelp() + outputHelp)->check(hasName())->type_name("OUT");
   const auto leaveOut = [&command](const char* name, bool& part, const char* help) {
     command.add_flag_callback(
         name, [&part] { part = false; }, help);

@@ -54,7 +54,7 @@ void join(JoinOptions& options) {
   const Pipeline pipeline = parsePipeline(joined.sets.front().pipeline, options.folders.front());
   session.begin("exporting");
   const double error = writeExport(options.exported, *joined.mesh, pipeline, targets, context);
-  if (!options.statistics.empty()) writeFileSafely(options.statistics, formatMeshStatistics(*joined.mesh));
+  if (!options.statistics.empty()) writeFileSafely(options.statistics, formatMeshStatistics(*joined.mesh), context);
   session.end();
   if (options.quiet) return;
   printLosses(*joined.mesh, options.exported, error);
@@ -74,6 +74,7 @@ void addJoinCommand(CLI::App& app) {
       ->required();
   options->exported.addTo(command)->required();
   command.add_option("--stats", options->statistics, "Write counts, links and components to this file")
+      ->check(hasName())
       ->type_name("FILE.json");
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");

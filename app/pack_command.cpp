@@ -62,6 +62,7 @@ void addPackCommand(CLI::App& app) {
   options->environment.addFileTo(command);
   command.add_option("-o,--output", options->output, "The packed environment to write")
       ->required()
+      ->check(hasName())
       ->type_name("LEVEL.ffenv");
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar and no notes");

@@ -64,7 +64,7 @@ void findPath(const PathOptions& options) {
     addSeparation(path, separations, &context);
   }
   if (!options.output.empty() && path.hasPath())
-    writeFileSafely(options.output, formatPathObj(environment->frame(), makeExportHeader(*pipeline), path));
+    writeFileSafely(options.output, formatPathObj(environment->frame(), makeExportHeader(*pipeline), path), context);
   session.end();
   print(options.json ? formatPathJson(*run.mesh, path) : formatPath(path, environment->up));
   if (!path.reached()) throw RunError(environment->source + ": " + formatFailure(path, environment->up));
@@ -86,6 +86,7 @@ void addPathCommand(CLI::App& app) {
   options->pipeline.addTo(command, "A pipeline file", "One step of the pipeline; give it once for each step");
   addThreads(command, options->threads);
   command.add_option("-o,--output", options->output, "Write the path as a polyline to this OBJ file")
+      ->check(hasName())
       ->type_name("PATH.obj");
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.add_flag("--quiet", options->quiet, "No progress bar");

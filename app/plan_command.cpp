@@ -92,6 +92,7 @@ void addPlanCommand(CLI::App& app) {
           "Write all pages to this PDF, or each to an SVG file: plan-0.svg, plan-1.svg and so on; or the walkable "
           "area as polygons: one file of well-known text for each layer and plan-links.wkt, or one GeoJSON file")
       ->required()
+      ->check(hasName())
       ->type_name("PLAN.svg|.pdf|.wkt|.geojson");
   command.add_flag("--storeys", options->storeys, "Draw one page for each storey instead of one for each layer");
   command

@@ -69,7 +69,7 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
   const Stopwatch total;
   ProgramTimes times;
   const WriteTargets targets = program.writes() ? checkTargets(options) : WriteTargets();
-  std::optional<Pipeline> pipeline = options.pipeline.given();
+  std::optional<Pipeline> pipeline = options.pipeline.given(&session.context());
   RunContext& context = session.context();
 
   const Stopwatch loading;
@@ -97,7 +97,7 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
   const auto write = [&context](const std::string& path, const auto& format) {
     if (path.empty()) return;
     context.checkCancelled();
-    writeFileSafely(path, format());
+    writeFileSafely(path, format(), context);
   };
   write(options.statistics, [&] { return program.statistics(formatStatistics(*environment, result, times)); });
   write(options.report, [&] {
@@ -163,12 +163,16 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
   addThreads(command, options->threads);
   options->exported.addTo(command, ". With --memory, the folder of the tiles");
   command.add_option("--stats", options->statistics, "Write times, counts and components to this file")
+      ->check(hasName())
       ->type_name("FILE.json");
   command
       .add_option("--trace", options->trace,
                   "Write the timeline of the run to this file, for Perfetto (ui.perfetto.dev) or chrome://tracing")
+      ->check(hasName())
       ->type_name("FILE.json");
-  command.add_option("--report", options->report, "Write figures and times as one HTML file")->type_name("FILE.html");
+  command.add_option("--report", options->report, "Write figures and times as one HTML file")
+      ->check(hasName())
+      ->type_name("FILE.html");
   command.add_flag("--speed-up", options->speedUp,
                    "Also run everything three more times, and three times on one thread without parallel blocks, and "
                    "report the speed-up");

@@ -70,7 +70,8 @@ class TargetFolder {
       throw RunError(path + ": cannot be made: " + error.message() + "; choose another place");
     if (isMade_ || fs::is_directory(path_, error)) lock_.emplace(path_);
     if (isMade_) return;
-    isKept_ = hasUnfinished(path);  // the run goes on from there
+    isKept_ = hasUnfinished(path);                                   // the run goes on from there
+    if (!isKept_ && hasLeftoversOnly(path)) removeUnfinished(path);  // of a run that was killed as it began
     if (!isKept_ && (!fs::is_directory(path_, error) || !fs::is_empty(path_, error)))
       throw InputError("--output: " + path + " already exists and is not an empty folder; give a new name");
   }
@@ -129,8 +130,9 @@ void packInto(const std::string& target, const TileCommandOptions& options, Comm
 
 /// The given pipeline; empty where the default one is meant. Throws InputError where its filters cannot keep to a
 /// bound.
-std::optional<Pipeline> checkedPipeline(const PipelineOptions& options, const TileSlice& slice) {
-  std::optional<Pipeline> pipeline = options.given();
+std::optional<Pipeline> checkedPipeline(const PipelineOptions& options, const TileSlice& slice,
+                                        const RunContext& context) {
+  std::optional<Pipeline> pipeline = options.given(&context);
   if (pipeline) {
     checkSlice(stepsOfCells(*pipeline), slice);
     return pipeline;
@@ -275,10 +277,10 @@ void runIntoFolder(const TileCommandOptions& options, RunProgram& program, Comma
   bounds.memory = options.memory;
   bounds.slice = sliceFrom(options.slice);
   checkMemory(options.environment.path, options.memory);
-  const std::optional<Pipeline> pipeline = checkedPipeline(options.pipeline, bounds.slice);
   OneRank alone;
   RankGroup& ranks = program.group() != nullptr ? *program.group() : alone;
   RunContext& context = session.context();
+  const std::optional<Pipeline> pipeline = checkedPipeline(options.pipeline, bounds.slice, context);
   const auto inFolder = [&](const char* name) { return (fs::path(options.folder) / name).string(); };
   // Rank 0 removes what is only there for the run, in this order from the last one on.
   std::shared_ptr<TargetFolder> folder;
@@ -314,7 +316,7 @@ void runIntoFolder(const TileCommandOptions& options, RunProgram& program, Comma
   }
   if (!ranks.isFirst()) return;
   folder->keep();
-  if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result));
+  if (!options.statistics.empty()) writeFileSafely(options.statistics, formatTileStatistics(options, result), context);
   if (options.quiet) return;
   if (peakOf(result) > options.memory)
     std::cerr << "footfall: note: the run used more than --memory, because floors that many obstacles cut took more "

@@ -23,7 +23,8 @@ std::string formatObj(const NavigationMesh& mesh, const ExportHeader& header, co
 void checkWritable(const std::string& path);
 
 /// Writes beside `path` and renames, so that a failure or a kill leaves an earlier file as it was. Throws RunError with
-/// what, where and what to do (read-only target, full disk, missing folder, a directory).
-void writeFileSafely(const std::string& path, const std::string& text);
+/// what, where and what to do (read-only target, full disk, missing folder, a directory), and what `poll` throws. A
+/// link stays a link: what it leads to is written. Temporary files of processes that have died are removed beside it.
+void writeFileSafely(const std::string& path, const std::string& text, Poll poll = {});
 
 }  // namespace footfall::detail

@@ -10,18 +10,23 @@
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <vector>
 
 #include "core/io/export.hpp"
 #include "core/io/output_files.hpp"
+#include "core/io/pipe_output.hpp"
+#include "core/io/stale_files.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kMostLinks = 40;  // as Linux follows them
 
 fs::path folderOf(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
@@ -84,6 +89,13 @@ Problem problemOf(const fs::path& target, int error) {
     case ELOOP:
       return {FOOTFALL_TEXT("cannot be written: symbolic links lead round in a circle"),
               FOOTFALL_TEXT("remove the link or choose another name")};
+    case EPIPE:
+      return {FOOTFALL_TEXT("was closed by its reader before all was written"),
+              FOOTFALL_TEXT("look why it ended, and run this again")};
+    case EMFILE:
+    case ENFILE:
+      return {FOOTFALL_TEXT("cannot be written: too many files are open"),
+              FOOTFALL_TEXT("close other programs, or raise the limit (ulimit -n)")};
     case EBUSY:
     case ETXTBSY:
       return {FOOTFALL_TEXT("cannot be written: another program uses it"),
@@ -118,9 +130,10 @@ class TemporaryFile {
   TemporaryFile(const std::string& shownPath, const fs::path& target) : shownPath_(shownPath), target_(target) {
     const fs::path folder = folderOf(target);
     static std::atomic<unsigned> counter{0};
+    removeStaleFiles(folder.string());
     do {
       // short, so that it fits wherever the target's name fits
-      name_ = folder / (".footfall-" + std::to_string(::getpid()) + "-" + std::to_string(counter++) + ".tmp");
+      name_ = folder / temporaryName(counter++);
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
     if (descriptor_ < 0) failWriting(shownPath_, target_, errno);
@@ -183,15 +196,7 @@ void writeAllAt(const std::string& path, int descriptor, std::uint64_t offset, s
 
 /// A terminal, a pipe or a device cannot be replaced by a file.
 void writeInPlace(const std::string& path, std::string_view text, const Poll& poll) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
-  if (descriptor < 0) failWriting(path, errno);
-  try {
-    writeAll(path, descriptor, text, poll);
-  } catch (...) {
-    ::close(descriptor);
-    throw;
-  }
-  if (::close(descriptor) != 0) failWriting(path, errno);
+  if (const int error = writeToPipe(path, text, poll); error != 0) failWriting(path, error);
 }
 
 struct Target {
@@ -207,9 +212,11 @@ Target findTarget(const std::string& path) {
   // A link stays a link: what it points to is replaced.
   Target target{path};
   std::error_code ignored;
-  if (fs::is_symlink(target.path, ignored)) {
-    const fs::path resolved = fs::weakly_canonical(target.path, ignored);
-    if (!ignored) target.path = resolved;
+  for (int links = 0; fs::is_symlink(target.path, ignored); ++links) {
+    if (links == kMostLinks) failWriting(path, ELOOP);
+    const fs::path next = fs::read_symlink(target.path, ignored);
+    if (ignored) failWriting(path, target.path, ignored.value());
+    target.path = target.path.parent_path() / next;  // an absolute one replaces the folder
   }
   struct stat status {};
   target.exists = ::stat(target.path.c_str(), &status) == 0;
@@ -280,23 +287,25 @@ void writeFilesSafely(std::span<const OutputFile> files, Poll poll) {
     output.temporary->write(output.file.bytes, poll);
   }
   poll();
+  // Nothing stands between two renames, so that hardly ever a kill does.
+  std::set<fs::path> folders;
   for (Output& output : outputs) {
-    if (output.temporary) {
-      output.temporary->replaceTarget();
-      syncFolder(folderOf(output.target.path));
-    } else {
-      writeInPlace(output.file.path, output.file.bytes, poll);
-    }
+    if (!output.temporary) continue;
+    output.temporary->replaceTarget();
+    folders.insert(folderOf(output.target.path));
   }
+  for (const fs::path& folder : folders) syncFolder(folder);
+  for (const Output& output : outputs)
+    if (!output.temporary) writeInPlace(output.file.path, output.file.bytes, poll);
 }
 
-void writeFileSafely(const std::string& path, const std::string& text) {
+void writeFileSafely(const std::string& path, const std::string& text, Poll poll) {
   const Target target = findTarget(path);
-  if (target.exists && !S_ISREG(target.mode)) return writeInPlace(path, text, {});
+  if (target.exists && !S_ISREG(target.mode)) return writeInPlace(path, text, poll);
 
   TemporaryFile file(path, target.path);
   if (target.exists) file.takeMode(target.mode & 07777);
-  file.write(text, {});
+  file.write(text, poll);
   file.replaceTarget();
   syncFolder(folderOf(target.path));
 }

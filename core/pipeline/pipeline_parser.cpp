@@ -5,10 +5,10 @@
 #include <charconv>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "core/filters/descriptor_text.hpp"
+#include "core/io/pipe_output.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
@@ -192,25 +192,22 @@ Pipeline detail::parsePipelineFragment(std::string_view text, const std::string&
   return parser.finishFragment();
 }
 
-Pipeline readPipelineFile(const std::string& path) {
+Pipeline detail::readPipeline(const std::string& path, const RunContext* context) {
   constexpr std::size_t kLongest = 1 << 20;  // a thousand times more than any pipeline
   std::error_code ignored;
   if (std::filesystem::is_directory(path, ignored)) {
     throw InputError(FOOTFALL_TEXT("%1: is a folder; give a pipeline file"), path);
   }
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
+  std::string text;
+  if (const int error = readFromPipe(path, kLongest, text, Poll(context)); error != 0) {
     throw InputError(FOOTFALL_TEXT("%1: cannot be opened (%2); give a pipeline file that can be read"), path,
-                     std::strerror(errno));
+                     std::strerror(error));
   }
-  std::string text(kLongest + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad()) throw InputError(FOOTFALL_TEXT("%1: cannot be read; check the file and its disk"), path);
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kLongest)
     throw InputError(FOOTFALL_TEXT("%1: is too long for a pipeline; give a text file of filters"), path);
   return parsePipeline(text, path);
 }
+
+Pipeline readPipelineFile(const std::string& path) { return readPipeline(path, nullptr); }
 
 }  // namespace footfall

@@ -183,6 +183,16 @@ void removeUnfinished(const std::string& folder) {
   });
 }
 
+bool hasLeftoversOnly(const std::string& folder) {
+  std::error_code error;
+  std::size_t count = 0;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error), ++count) {
+    const std::string name = at->path().filename().string();
+    if (!isBeside(name) && name != kPackedForRun && name != kSeenByRanks) return false;
+  }
+  return !error && count > 0;
+}
+
 bool hasUnfinished(const std::string& folder) {
   std::ifstream file(fs::path(folder) / kUnfinishedRun, std::ios::binary);
   std::string start(256, '\0');

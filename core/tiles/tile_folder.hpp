@@ -54,6 +54,9 @@ class TileFolder : public TileStore {
 /// True when a run that did not end left the folder.
 [[nodiscard]] bool hasUnfinished(const std::string& folder);
 
+/// Whether there is nothing in the folder but what a run leaves that is killed in its first moments.
+[[nodiscard]] bool hasLeftoversOnly(const std::string& folder);
+
 /// Removes what a run that did not end left in its folder. No other process may be at work there.
 void removeUnfinished(const std::string& folder);
 
