@@ -11,7 +11,8 @@ packages=(
   # building
   ca-certificates ccache cmake dpkg-dev g++ git make ninja-build
   # the core
-  libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libgmp-dev libhpdf-dev libmpfr-dev libtbb-dev
+  libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libdraco-dev libgmp-dev libhpdf-dev
+  libmeshoptimizer-dev libmpfr-dev libtbb-dev
   nlohmann-json3-dev
   # the editor; fonts, because a bare system has none and Qt then draws empty boxes
   fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqcustomplot-dev

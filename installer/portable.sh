@@ -35,7 +35,7 @@ for kind in platformthemes/libqxdgdesktopportal.so iconengines/libqsvgicon.so; d
 done
 
 # ldd names all that is loaded, so one pass over programs and plug-ins finds everything.
-needed="$(find "${folder}/bin" "${folder}/plugins" -type f -exec ldd {} + | awk '/=>/ { print $1, $3 }' | sort -u)"
+needed="$(find "${folder}/bin" "${folder}/libexec" "${folder}/plugins" -type f -exec ldd {} + | awk '/=>/ { print $1, $3 }' | sort -u)"
 if grep -q ' not$' <<<"${needed}"; then fail "libraries are missing here: $(awk '$2 == "not" { print $1 }' <<<"${needed}")"; fi
 while read -r library path; do
   if [[ "${library}" =~ ${machine} ]]; then continue; fi

@@ -1772,6 +1772,234 @@
         <translation>%1: enthält einen Lauf, der nicht zu Ende ging, mit einer anderen Umgebung, anderen Filtern oder einer anderen Grenze; entfernen Sie den Ordner, oder geben Sie einen neuen Namen an</translation>
     </message>
     <message>
+        <source>no other program can be started: too many files are open; close some, or raise the limit (ulimit -n)</source>
+        <translation>es kann kein anderes Programm gestartet werden: zu viele Dateien sind offen; einige schließen oder die Grenze anheben (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>no other program can be started: there are too many processes, or too little memory is left; close other programs</source>
+        <translation>es kann kein anderes Programm gestartet werden: es gibt zu viele Prozesse, oder zu wenig Speicher ist frei; andere Programme schließen</translation>
+    </message>
+    <message>
+        <source>no more threads can be started; close other programs, raise the limit (ulimit -u), or give fewer threads (--threads)</source>
+        <translation>es können keine weiteren Threads gestartet werden; andere Programme schließen, die Grenze anheben (ulimit -u) oder weniger Threads angeben (--threads)</translation>
+    </message>
+    <message>
+        <source>too many files are open; close other programs, or raise the limit (ulimit -n)</source>
+        <translation>zu viele Dateien sind offen; andere Programme schließen oder die Grenze anheben (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>the disk is full; free some space</source>
+        <translation>der Datenträger ist voll; Platz schaffen</translation>
+    </message>
+    <message>
+        <source>%1 is read by the program footfall-import, and FOOTFALL_IMPORT names &apos;%2&apos;, which is none</source>
+        <translation>%1 wird vom Programm footfall-import gelesen, und FOOTFALL_IMPORT nennt „%2“, das keines ist</translation>
+    </message>
+    <message>
+        <source>%1 is read by the program footfall-import, which is missing beside Footfall</source>
+        <translation>%1 wird vom Programm footfall-import gelesen, das neben Footfall fehlt</translation>
+    </message>
+    <message>
+        <source>install Footfall again, name the program in the environment variable FOOTFALL_IMPORT, or convert the file to OBJ</source>
+        <translation>Footfall neu installieren, das Programm in der Umgebungsvariable FOOTFALL_IMPORT nennen oder die Datei in OBJ umwandeln</translation>
+    </message>
+    <message>
+        <source>footfall-import, which reads %1, cannot be started (%2)</source>
+        <translation>footfall-import, das %1 liest, kann nicht gestartet werden (%2)</translation>
+    </message>
+    <message>
+        <source>install Footfall again</source>
+        <translation>Footfall neu installieren</translation>
+    </message>
+    <message>
+        <source>the file is damaged, or that reader is: export it again, or as OBJ</source>
+        <translation>die Datei ist beschädigt, oder dieser Leser ist es: neu exportieren oder als OBJ</translation>
+    </message>
+    <message>
+        <source>the reader for %1 ended by signal %2</source>
+        <translation>der Leser für %1 wurde durch Signal %2 beendet</translation>
+    </message>
+    <message>
+        <source>the reader for %1 ended with exit status %2</source>
+        <translation>der Leser für %1 endete mit dem Status %2</translation>
+    </message>
+    <message>
+        <source>export it again, or as OBJ; where it is in order, lift the limits (--no-import-limits)</source>
+        <translation>neu exportieren oder als OBJ; wenn sie in Ordnung ist, die Grenzen aufheben (--no-import-limits)</translation>
+    </message>
+    <message>
+        <source>reading it as %1 took more than %2 seconds, far more than files of its size need</source>
+        <translation>sie als %1 zu lesen dauerte mehr als %2 Sekunden, weit mehr als Dateien ihrer Größe brauchen</translation>
+    </message>
+    <message>
+        <source>reading it as %1 took more than %2 MB of memory, far more than files of its size need</source>
+        <translation>sie als %1 zu lesen brauchte mehr als %2 MB Speicher, weit mehr als Dateien ihrer Größe brauchen</translation>
+    </message>
+    <message>
+        <source>the reader for %1 has ended before its time</source>
+        <translation>der Leser für %1 ist vorzeitig zu Ende gegangen</translation>
+    </message>
+    <message>
+        <source>install Footfall again; where that does not help, convert the file to OBJ</source>
+        <translation>Footfall neu installieren; wenn das nicht hilft, die Datei in OBJ umwandeln</translation>
+    </message>
+    <message>
+        <source>was closed by its reader before all was written</source>
+        <translation>wurde vom Leser geschlossen, bevor alles geschrieben war</translation>
+    </message>
+    <message>
+        <source>look why it ended, and run this again</source>
+        <translation>nachsehen, warum er endete, und dies wiederholen</translation>
+    </message>
+    <message>
+        <source>cannot be written: too many files are open</source>
+        <translation>kann nicht geschrieben werden: zu viele Dateien sind offen</translation>
+    </message>
+    <message>
+        <source>close other programs, or raise the limit (ulimit -n)</source>
+        <translation>andere Programme schließen oder die Grenze anheben (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>a mesh has the unknown mode %1</source>
+        <translation>ein Netz hat den unbekannten Modus %1</translation>
+    </message>
+    <message>
+        <source>a part of a mesh is no object</source>
+        <translation>ein Teil eines Netzes ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>The file needs the glTF extension %1, which is not read: something may be missing</source>
+        <translation>Die Datei braucht die glTF-Erweiterung %1, die nicht gelesen wird: etwas kann fehlen</translation>
+    </message>
+    <message>
+        <source>instances of a mesh are not in order</source>
+        <translation>Instanzen eines Netzes sind nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>positions are none of three numbers</source>
+        <translation>Positionen sind keine von drei Zahlen</translation>
+    </message>
+    <message>
+        <source>the weights of a skin are not in order</source>
+        <translation>die Gewichte einer Haut sind nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>a morph target is not in order</source>
+        <translation>ein Morph-Ziel ist nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>a skin is not in order</source>
+        <translation>eine Haut ist nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>a skin names a node that is not there</source>
+        <translation>eine Haut nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>what %1 has packed is not in order</source>
+        <translation>was %1 gepackt hat, ist nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>it is packed by %1, which this build of Footfall does not read</source>
+        <translation>sie ist mit %1 gepackt, was dieses Footfall nicht lesen kann</translation>
+    </message>
+    <message>
+        <source>it ends before the numbers that it announces</source>
+        <translation>sie endet vor den Zahlen, die sie ankündigt</translation>
+    </message>
+    <message>
+        <source>an accessor has the unknown type &apos;%1&apos;</source>
+        <translation>ein Accessor hat den unbekannten Typ „%1“</translation>
+    </message>
+    <message>
+        <source>an accessor has the unknown component type %1</source>
+        <translation>ein Accessor hat den unbekannten Komponententyp %1</translation>
+    </message>
+    <message>
+        <source>an accessor is out of range of its buffer</source>
+        <translation>ein Accessor liegt außerhalb seines Puffers</translation>
+    </message>
+    <message>
+        <source>it is binary glTF of another version than 2</source>
+        <translation>sie ist binäres glTF einer anderen Version als 2</translation>
+    </message>
+    <message>
+        <source>it is no JSON, or was cut off</source>
+        <translation>sie ist kein JSON oder wurde abgeschnitten</translation>
+    </message>
+    <message>
+        <source>buffer %1 has no content</source>
+        <translation>Puffer %1 hat keinen Inhalt</translation>
+    </message>
+    <message>
+        <source>buffer %1 is packed in a way that is not known</source>
+        <translation>Puffer %1 ist auf unbekannte Weise gepackt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no object</source>
+        <translation>„%1“ ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>a sparse accessor is out of range</source>
+        <translation>ein spärlicher Accessor liegt außerhalb</translation>
+    </message>
+    <message>
+        <source>a list of corners is none of single numbers</source>
+        <translation>eine Liste von Ecken ist keine von einzelnen Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of corners has numbers that are no indices</source>
+        <translation>eine Liste von Ecken hat Zahlen, die keine Indizes sind</translation>
+    </message>
+    <message>
+        <source>a node&apos;s transform is not in order</source>
+        <translation>die Transformation eines Knotens ist nicht in Ordnung</translation>
+    </message>
+    <message>
+        <source>a node names a child that is not there</source>
+        <translation>ein Knoten nennt ein Kind, das es nicht gibt</translation>
+    </message>
+    <message>
+        <source>node %1 is the child of more than one node</source>
+        <translation>Knoten %1 ist das Kind von mehr als einem Knoten</translation>
+    </message>
+    <message>
+        <source>the scene names a node that is not there</source>
+        <translation>die Szene nennt einen Knoten, den es nicht gibt</translation>
+    </message>
+    <message>
+        <source>node %1 comes twice in the scene</source>
+        <translation>Knoten %1 kommt in der Szene zweimal vor</translation>
+    </message>
+    <message>
+        <source>number %1 of its %2 is not there</source>
+        <translation>Nummer %1 von %2 gibt es darin nicht</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is missing</source>
+        <translation>„%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no number that can stand there</source>
+        <translation>„%1“ ist keine Zahl, die dort stehen kann</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no list</source>
+        <translation>„%1“ ist keine Liste</translation>
+    </message>
+    <message>
+        <source>a node is no object</source>
+        <translation>ein Knoten ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>%1: its reader asked for more memory than there is; check that the file is complete and in order, or close other programs</source>
+        <translation>%1: ihr Leser verlangte mehr Speicher, als es gibt; prüfen, ob die Datei vollständig und in Ordnung ist, oder andere Programme schließen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read (%2); check that the file is complete and of the format that its extension says</source>
+        <translation>%1: kann nicht gelesen werden (%2); prüfen, ob die Datei vollständig und von dem Format ist, das ihre Endung nennt</translation>
+    </message>
+    <message>
         <source>%1 (%2 more could not be verified)</source>
         <translation>%1 (%2 weitere ließen sich nicht nachweisen)</translation>
     </message>

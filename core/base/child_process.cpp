@@ -9,8 +9,10 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "core/base/process_usage.hpp"
@@ -22,6 +24,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kPollMs = 20;
+constexpr double kWatchMs = 10;  ///< between two looks at the memory of a program
+constexpr int kPipeBytes = 1 << 20;
 constexpr double kKilledMs = 2000;
 constexpr std::size_t kMostErrors = 64 * 1024;
 
@@ -49,11 +53,42 @@ struct Pipe {
   Descriptor from, to;
 };
 
+[[noreturn]] void failStarting(int error) {
+  if (error == EMFILE || error == ENFILE)
+    throw RunError(
+        FOOTFALL_TEXT("no other program can be started: too many files are open; close some, or raise the "
+                      "limit (ulimit -n)"));
+  throw RunError(Text(FOOTFALL_TEXT("no other program can be started (%1)"), std::strerror(error)));
+}
+
 Pipe makePipe() {
   std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
-    throw RunError(Text(FOOTFALL_TEXT("no other program can be started (%1)"), std::strerror(errno)));
-  return {Descriptor(ends[0]), Descriptor(ends[1])};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0) failStarting(errno);
+  Pipe pipe{Descriptor(ends[0]), Descriptor(ends[1])};
+  // Where standard input or output is closed, a pipe may get its number, which the program that is started needs.
+  for (Descriptor* end : {&pipe.from, &pipe.to}) {
+    if (end->number() > STDERR_FILENO) continue;
+    const int moved = ::fcntl(end->number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+    if (moved < 0) failStarting(errno);
+    *end = Descriptor(moved);
+  }
+  ::fcntl(pipe.to.number(), F_SETPIPE_SZ, kPipeBytes);  // a larger one is only faster
+  return pipe;
+}
+
+/// The memory that a process holds; 0 where that is not known, as behind its end.
+std::uint64_t residentBytes(pid_t process) {
+  const std::string name = "/proc/" + std::to_string(process) + "/statm";
+  const Descriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) return 0;
+  std::array<char, 128> text{};
+  const ssize_t count = ::read(file.number(), text.data(), text.size());
+  if (count <= 0) return 0;
+  const std::string_view words(text.data(), static_cast<std::size_t>(count));
+  const std::size_t second = std::min(words.find(' '), words.size() - 1) + 1;  // the first is the address space
+  std::uint64_t pages = 0;
+  std::from_chars(words.data() + second, words.data() + words.size(), pages);
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
 /// What a program writes, as far as it was read.
@@ -68,6 +103,7 @@ class Outputs {
     output_.to.close();
     errors_.to.close();
   }
+  [[nodiscard]] std::uint64_t size() const { return result_.output.size(); }
   [[nodiscard]] bool areOpen() const { return output_.from.number() >= 0 || errors_.from.number() >= 0; }
 
   /// Waits for more, 20 ms at most.
@@ -90,7 +126,7 @@ class Outputs {
 
   Pipe output_, errors_;
   ChildResult& result_;
-  std::vector<char> buffer_ = std::vector<char>(1 << 16);
+  std::vector<char> buffer_ = std::vector<char>(1 << 18);
 };
 
 /// A process that does not outlive this, and nor do those that it has started: they are a group.
@@ -117,7 +153,11 @@ class Child {
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setpgroup(&attributes, 0);
-    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
+    sigset_t ignored;  // what a program may ignore here ends others, as it should
+    sigemptyset(&ignored);
+    sigaddset(&ignored, SIGPIPE);
+    posix_spawnattr_setsigdefault(&attributes, &ignored);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF);
     const int error = posix_spawnp(&id_, pointers[0], &actions, &attributes, pointers.data(), environ);
     posix_spawnattr_destroy(&attributes);
     posix_spawn_file_actions_destroy(&actions);
@@ -133,14 +173,16 @@ class Child {
     ::kill(-id_, SIGKILL);
     isGoneWithin(kKilledMs);
   }
-  /// Waits for its end; it may go on long after it has closed its output.
-  int wait(const Poll& poll) {
+  [[nodiscard]] pid_t id() const { return id_; }
+  /// Waits for its end; it may go on long after it has closed its output. `poll` returns whether to wait on.
+  template <class Polling>
+  int wait(const Polling& poll) {
     int status = 0;
     for (pid_t ended = 0; ended != id_;) {
       ended = ::waitpid(id_, &status, WNOHANG);
       if (ended < 0 && errno != EINTR) break;
       if (ended == id_) continue;
-      poll();
+      if (!poll()) return 0;
       ::poll(nullptr, 0, kPollMs);
     }
     id_ = -1;
@@ -168,23 +210,55 @@ class Child {
   bool isReaped_ = false;
 };
 
+/// Looks now and then at what a program uses.
+class LimitWatch {
+ public:
+  explicit LimitWatch(const ChildLimits& limits) : limits_(limits) {}
+
+  [[nodiscard]] ChildEnd look(pid_t process, std::uint64_t written) const {
+    const double now = total_.wallMs();
+    if (now > limits_.wallMs) return ChildEnd::Time;
+    if (written > limits_.bytes) return ChildEnd::Memory;
+    if (limits_.bytes == ChildLimits().bytes || now - last_ < kWatchMs) return ChildEnd::Itself;
+    last_ = now;
+    return residentBytes(process) > limits_.bytes ? ChildEnd::Memory : ChildEnd::Itself;
+  }
+
+ private:
+  const ChildLimits& limits_;
+  Stopwatch total_;
+  mutable double last_ = 0;
+};
+
 }  // namespace
 
-ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending, double graceMs) {
+ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, ChildEnding ending, double graceMs,
+                     const ChildLimits& limits) {
   ChildResult result;
   Outputs outputs(result);
   Child child(outputs, ending, graceMs);
   if (const int error = child.start(arguments); error != 0) {
+    if (error == EAGAIN || error == ENOMEM)
+      throw RunError(
+          FOOTFALL_TEXT("no other program can be started: there are too many processes, or too little "
+                        "memory is left; close other programs"));
     result.status = 127;
     result.errors = std::strerror(error);
     return result;
   }
   outputs.closeWritten();
-  while (outputs.areOpen()) {
+  const LimitWatch watch(limits);
+  // Returns whether it may go on.
+  const auto isWithin = [&] {
     poll();
+    result.end = watch.look(child.id(), outputs.size());
+    return result.end == ChildEnd::Itself;
+  };
+  while (outputs.areOpen()) {
+    if (!isWithin()) return result;
     outputs.read();
   }
-  result.status = child.wait(poll);
+  result.status = child.wait(isWithin);
   return result;
 }
 

@@ -5,10 +5,21 @@
 #include <optional>
 #include <string>
 
-#include "core/io/assimp_reader.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::detail {
+
+/// What a file says about its own frame; empty where it says nothing.
+struct FileFrame {
+  std::optional<UpAxis> up;
+  std::optional<double> metresPerUnit;
+  /// Coordinates are floats of the file, or products of its transforms: their last bits have no meaning.
+  bool areFloats = false;
+  double gridStep = 0;  ///< a power of two of which all coordinates are multiples, where a converter rounded them
+};
+
+/// glTF 2.0, section 3.4: metres, Y up.
+inline FileFrame gltfFrame() { return {UpAxis::Y, 1.0, true}; }
 
 /// The extension of a file, in lower case and without its dot.
 std::string lowerExtension(const std::string& path);

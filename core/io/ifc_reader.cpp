@@ -11,8 +11,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "core/base/child_process.hpp"
 #include "core/environment/part_names.hpp"
+#include "core/io/foreign_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
 
@@ -107,9 +107,11 @@ PartRole usualRoleOfClass(std::string_view ifcClass) {
 }
 
 FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
-                               RunContext* context) {
+                               const ChildLimits& limits, RunContext* context) {
   // An absolute path is none of Node's options.
-  ChildResult result = runChild({"node", converter, std::filesystem::absolute(path).string()}, Poll(context));
+  ChildResult result = runChild({"node", converter, std::filesystem::absolute(path).string()}, Poll(context),
+                                ChildEnding::Killed, kChildGraceMs, limits);
+  failBeyondLimits(path, "IFC", result.end, limits);
   if (result.status == 127)
     failInput(path, 0, FOOTFALL_TEXT("IFC files are read by a converter that needs Node.js, which cannot be started"),
               FOOTFALL_TEXT("install it (package nodejs)"));

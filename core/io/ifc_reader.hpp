@@ -9,7 +9,8 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/assimp_reader.hpp"
+#include "core/base/child_process.hpp"
+#include "core/io/file_frame.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/run_context.hpp"
 
@@ -22,9 +23,10 @@ std::optional<std::string> findIfcConverter();
 
 /// Fills `vertices`, `triangles`, `parts`, `partOf`, `usualRoles` and `storeys` in the file's own frame. A part is an
 /// element's class (`mesh`) with its storey and name (`material`). Throws InputError with what the converter says, and
-/// when it cannot be run; Cancelled when `context` (may be null) was cancelled, which takes 50 ms at most.
+/// when it cannot be run or passes `limits`; Cancelled when `context` (may be null) was cancelled, which takes 50 ms at
+/// most.
 FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
-                               RunContext* context);
+                               const ChildLimits& limits, RunContext* context);
 
 /// The role of a class of IFC elements: doors are open; what is no thing, such as spaces and annotations, is not there;
 /// nobody walks on furniture, fittings, windows and railings.

@@ -9,9 +9,9 @@
 #include "core/base/sorted_list.hpp"
 #include "core/environment/coordinate_grid.hpp"
 #include "core/environment/part_rules.hpp"
-#include "core/io/assimp_reader.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/folder_reader.hpp"
+#include "core/io/foreign_reader.hpp"
 #include "core/io/ifc_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
@@ -23,14 +23,14 @@ using namespace detail;
 namespace {
 
 /// As long as the converter is not installed, Assimp does what it can.
-FileFrame readIfc(const std::string& path, Environment& environment, RunContext* context) {
+FileFrame readIfc(const std::string& path, Environment& environment, const ChildLimits& limits, RunContext* context) {
   if (const std::optional<std::string> converter = findIfcConverter())
-    return readWithIfcConverter(*converter, path, environment, context);
+    return readWithIfcConverter(*converter, path, environment, limits, context);
   environment.notes.emplace_back(FOOTFALL_TEXT(
       "IFC is read without its converter: openings may be closed, doors are in the way, and elements have "
       "no classes or storeys; ifc.sh installs it (docs/how-to/buildings.md)"));
   try {
-    return readWithAssimp(path, environment, context);
+    return readForeign(path, environment, limits, context);
   } catch (const InputError& error) {
     throw InputError(FOOTFALL_TEXT("%1; IFC files that are in order may need the converter that ifc.sh installs "
                                    "(docs/how-to/buildings.md)"),
@@ -108,8 +108,11 @@ Environment readFile(const std::string& path, const ImportOptions& options, bool
                                   : Text(FOOTFALL_TEXT("unknown extension '.%1'"), extension),
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
-    if (!readPlain(path, extension, environment, frame, context))
-      frame = extension == "ifc" ? readIfc(path, environment, context) : readWithAssimp(path, environment, context);
+    if (!readPlain(path, extension, environment, frame, context)) {
+      const ChildLimits limits = importLimitsFor(path);
+      frame = extension == "ifc" ? readIfc(path, environment, limits, context)
+                                 : readForeign(path, environment, limits, context);
+    }
   }
   if (environment.triangles.empty()) failWithoutTriangles(path, environment.skipped);
   setFrame(environment, frame, options, usualFrame(extension));
@@ -144,7 +147,7 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
 }
 
 std::vector<std::string> importableExtensions() {
-  std::vector<std::string> extensions = assimpExtensions();
+  std::vector<std::string> extensions = foreignExtensions();
   extensions.push_back("obj");
   extensions.emplace_back(kPackedExtension);
   sortOnce(extensions);

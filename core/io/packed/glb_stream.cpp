@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-//
-// Assimp reads the file's JSON with one and the same small triangle for every primitive, so that names, transforms and
-// numbers of nodes, meshes and materials are those that it gives to the whole file; the geometry itself is streamed.
-#include <assimp/scene.h>
-
+#include <algorithm>
 #include <array>
-#include <assimp/Importer.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -16,8 +11,7 @@
 #include <vector>
 
 #include "core/environment/skipped_polygons.hpp"
-#include "core/io/assimp_scene.hpp"
-#include "core/io/base64.hpp"
+#include "core/io/gltf/gltf_scene.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/packed/packer_polygons.hpp"
 #include "core/io/packed/streams.hpp"
@@ -68,19 +62,21 @@ class GlbFile {
 
   [[nodiscard]] const Json& json() const { return json_; }
 
-  /// In the order of the file.
-  [[nodiscard]] std::vector<Primitive> primitives() const {
+  /// Of each mesh, in the order of the file.
+  [[nodiscard]] std::vector<std::vector<Primitive>> primitives() const {
     need(json_.value("extensionsRequired", Json::array()).empty() && !json_.contains("skins"));
     const Json& buffers = json_.at("buffers");
     need(buffers.size() == 1 && !buffers[0].contains("uri"));
     need(buffers[0].at("byteLength").get<std::uint64_t>() <= binarySize_);
-    std::vector<Primitive> result;
-    for (const Json& mesh : json_.at("meshes"))
+    std::vector<std::vector<Primitive>> result;
+    for (const Json& mesh : json_.at("meshes")) {
+      std::vector<Primitive>& all = result.emplace_back();
       for (const Json& primitive : mesh.at("primitives")) {
-        need(primitive.value("mode", 4) == 4 && !primitive.contains("extensions"));
+        need(primitive.value("mode", 4) == 4 && !primitive.contains("extensions") && !primitive.contains("targets"));
         const Json& attributes = primitive.at("attributes");
-        result.push_back({accessor(attributes.at("POSITION"), "VEC3"), accessor(primitive.at("indices"), "SCALAR")});
+        all.push_back({accessor(attributes.at("POSITION"), "VEC3"), accessor(primitive.at("indices"), "SCALAR")});
       }
+    }
     return result;
   }
 
@@ -132,83 +128,34 @@ class GlbFile {
   std::uint64_t binaryOffset_ = 0, binarySize_ = 0;
 };
 
-template <class Item>
-void append(std::string& bytes, const Item& item) {
-  bytes.append(reinterpret_cast<const char*>(&item), sizeof item);
-}
-
-/// The number of a primitive in the file, as its small triangle tells it in floats.
-std::array<float, 9> smallTriangle(std::size_t primitive) {
-  return {static_cast<float>(primitive % 65536), static_cast<float>(primitive / 65536)};
-}
-std::size_t numberOf(const aiMesh& mesh) {
-  need(mesh.mNumVertices == 3);
-  return static_cast<std::size_t>(mesh.mVertices[0].x) + 65536 * static_cast<std::size_t>(mesh.mVertices[0].y);
-}
-
-/// The file with a small triangle for each primitive, as glTF without other files. Assimp numbers meshes as it comes
-/// across them, so that triangles tell whose they are.
-std::string skeletonOf(Json json) {
-  for (const char* unneeded : {"images", "textures", "samplers", "animations", "extensionsUsed"}) json.erase(unneeded);
-  std::string bytes;
-  append(bytes, std::array<std::uint32_t, 3>{0, 1, 2});
-  json["accessors"] = Json::array({{{"bufferView", 0}, {"componentType", 5125}, {"count", 3}, {"type", "SCALAR"}}});
-  std::size_t count = 0;
-  for (Json& mesh : json["meshes"]) {
-    mesh.erase("weights");
-    mesh.erase("extras");
-    for (Json& primitive : mesh["primitives"]) {
-      json["accessors"].push_back(
-          {{"bufferView", 0}, {"byteOffset", bytes.size()}, {"componentType", 5126}, {"count", 3}, {"type", "VEC3"}});
-      append(bytes, smallTriangle(count++));
-      Json small{{"attributes", {{"POSITION", count}}}, {"indices", 0}, {"mode", 4}};
-      if (primitive.contains("material")) small["material"] = primitive["material"];
-      primitive = std::move(small);
-    }
-  }
-  if (json.contains("materials"))
-    for (Json& material : json["materials"]) {
-      Json small = Json::object();
-      if (material.contains("name")) small["name"] = material["name"];
-      material = std::move(small);
-    }
-  json["bufferViews"] = Json::array({{{"buffer", 0}, {"byteLength", bytes.size()}}});
-  json["buffers"] =
-      Json::array({{{"byteLength", bytes.size()}, {"uri", "data:application/octet-stream;base64," + toBase64(bytes)}}});
-  return json.dump();
-}
-
 class GlbStream {
  public:
   GlbStream(const GlbFile& file, Environment& head, EnvironmentPacker& packer, RunContext* context)
       : file_(file), head_(head), packer_(packer), context_(context), parts_(head.parts) {}
 
   void read() {
-    const std::vector<Primitive> primitives = file_.primitives();
-    const std::string skeleton = skeletonOf(file_.json());
-    Assimp::Importer importer;
-    const aiScene* scene = importer.ReadFileFromMemory(skeleton.data(), skeleton.size(), 0, "gltf");
-    need(scene != nullptr && scene->mRootNode != nullptr);
-    visitMeshes(*scene, toAffine(scene->mRootNode->mTransformation),
-                [&](const aiNode& node, unsigned number, const Affine& world) {
-                  need(number < scene->mNumMeshes);
-                  const aiMesh& mesh = *scene->mMeshes[number];
-                  const std::size_t primitive = numberOf(mesh);
-                  need(primitive < primitives.size());
-                  add(*scene, node, mesh, primitives[primitive], world);
-                });
+    const std::vector<std::vector<Primitive>> primitives = file_.primitives();
+    const GltfScene scene = gltfScene(file_.json());
+    for (const std::size_t number : scene.nodes) {
+      const Json& node = file_.json().at("nodes").at(number);
+      if (!node.contains("mesh")) continue;
+      need(!node.contains("extensions"));  // instances
+      const std::uint64_t mesh = gltfNumber(node, "mesh");
+      need(mesh < primitives.size());
+      for (std::size_t i = 0; i < primitives[mesh].size(); ++i)
+        add(node, file_.json().at("meshes").at(mesh), i, primitives[mesh][i], scene.worlds[number]);
+    }
     dropUnnamedPart(head_);
   }
 
  private:
-  void add(const aiScene& scene, const aiNode& node, const aiMesh& mesh, const Primitive& primitive,
-           const Affine& world) {
+  void add(const Json& node, const Json& mesh, std::size_t which, const Primitive& primitive, const Affine& world) {
     const std::uint64_t first = packer_.vertexCount();
     need(first + primitive.positions.count < 0xffffffffU);
     file_.forEach(primitive.positions, context_, [&](const char* bytes, std::uint64_t /*number*/) {
-      aiVector3D place;
-      std::memcpy(&place, bytes, 3 * sizeof(float));
-      const Vec3 p = world * place;
+      std::array<float, 3> place{};
+      std::memcpy(place.data(), bytes, sizeof place);
+      const Vec3 p = world * Vec3{place[0], place[1], place[2]};
       need(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
       packer_.addVertex(p);
     });
@@ -224,15 +171,15 @@ class GlbStream {
       if (mirrored) std::swap(corners[1], corners[2]);
       if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0])
         return skip(corners, number / 3, mesh);
-      if (!part) part = partOfMesh(scene, node, mesh, parts_);
+      if (!part) part = gltfPart(file_.json(), node, mesh.at("primitives").at(which), parts_);
       packer_.addFace(corners, *part);
     });
   }
 
-  void skip(const Triangle& corners, std::uint64_t face, const aiMesh& mesh) {
+  void skip(const Triangle& corners, std::uint64_t face, const Json& mesh) {
     SkippedPolygon skipped = skippedPolygon(corners, PackerVertices{packer_});
     skipped.face = face + 1;
-    skipped.mesh = cleanName(mesh.mName.C_Str());
+    skipped.mesh = cleanName(gltfText(mesh, "name"));
     addSkipped(head_.skipped, std::move(skipped));
   }
 
@@ -252,6 +199,8 @@ bool streamGlb(const std::string& path, Environment& head, EnvironmentPacker& pa
     GlbStream(file, head, packer, context).read();
     return true;
   } catch (const NotPlain&) {
+    return false;
+  } catch (const BadGltf&) {
     return false;
   } catch (const Json::exception&) {
     return false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/assimp_reader.hpp"
+#include "core/io/foreign/assimp_reader.hpp"
 
+#include <assimp/DefaultIOSystem.h>
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/scene.h>
 
@@ -18,8 +20,8 @@
 #include "core/base/counted_text.hpp"
 #include "core/environment/part_names.hpp"
 #include "core/environment/skipped_polygons.hpp"
-#include "core/io/assimp_scene.hpp"
 #include "core/io/collada_asset.hpp"
+#include "core/io/foreign/assimp_scene.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/polygon_triangulation.hpp"
 #include "core/io/truncation_check.hpp"
@@ -156,6 +158,40 @@ Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
   return difference < 1e-6 ? kIdentity : undone;
 }
 
+/// Other files that a file names: a FIFO or a device among them is none.
+class RegularFiles : public Assimp::DefaultIOSystem {
+ public:
+  bool Exists(const char* name) const override {
+    std::error_code error;
+    return std::filesystem::is_regular_file(name, error);
+  }
+  Assimp::IOStream* Open(const char* name, const char* mode) override {
+    if (!Exists(name)) return nullptr;
+    return lowerExtension(name) == "dae" ? openCollada(name) : DefaultIOSystem::Open(name, mode);
+  }
+
+ private:
+  /// Without the blanks that may stand before the first number of an element: Assimp 5.2.5 takes that for none.
+  static Assimp::IOStream* openCollada(const char* name) {
+    std::string text = readInputFile(name, nullptr);
+    std::size_t kept = 0;
+    bool isFirst = false;  // nothing but blanks since the last '>'
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      const bool isBlank = kBlanks.find(text[i]) != std::string_view::npos;
+      if (isFirst && isBlank) {
+        const std::size_t next = std::min(text.find_first_not_of(kBlanks, i), text.size() - 1);
+        if (kNumberStarts.find(text[next]) != std::string_view::npos) i = next;
+      }
+      isFirst = text[i] == '>';
+      text[kept++] = text[i];
+    }
+    auto* bytes = new std::uint8_t[kept];
+    std::copy_n(text.begin(), kept, bytes);
+    return new Assimp::MemoryIOStream(bytes, kept, true);
+  }
+  static constexpr std::string_view kBlanks = " \t\r\n", kNumberStarts = "0123456789+-.";
+};
+
 /// The first few bytes of a file, in lower case.
 std::string lowerStart(const std::string& path) {
   std::string start(5, '\0');
@@ -179,6 +215,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   if (start.starts_with("gltf")) rejectTruncatedGlb(path);
 
   Assimp::Importer importer;
+  importer.SetIOHandler(new RegularFiles);  // which takes it over
   // A skeleton alone is no environment: without this Assimp makes up a mesh for it.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   // We turn axes ourselves, so that the export can turn them back.
@@ -195,6 +232,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     problem = error.what();
   }
   if (context != nullptr) context->checkCancelled();
+  if (problem.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // Assimp puts it into words
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const Text reason = problem.empty() ? Text(FOOTFALL_TEXT("unknown content")) : Text(problem);
     failInput(path, 0, Text(FOOTFALL_TEXT("cannot be read (%1)"), reason),
