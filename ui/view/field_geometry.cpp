@@ -12,12 +12,12 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kWallNormalZ = 0.02;     // as in render_geometry.cpp: steeper is a wall
+constexpr double kWallNormalZ = 0.02;          // as in render_geometry.cpp: steeper is a wall
 constexpr std::size_t kFieldPollEvery = 4096;  // triangles
-constexpr int kRounds = 5;                // of cutting where the height changes: an edge in four pieces each
-constexpr double kInward = 0x1p-10;       // corners are looked at from inside their piece
-constexpr std::size_t kPlaces = 4;        // of a piece: three corners and the middle
-constexpr double kSameShare = 0.04;       // of the scale: differences that are worth no cut
+constexpr int kRounds = 5;                     // of cutting where the height changes: an edge in four pieces each
+constexpr double kInward = 0x1p-10;            // corners are looked at from inside their piece
+constexpr std::size_t kPlaces = 4;             // of a piece: three corners and the middle
+constexpr double kSameShare = 0.04;            // of the scale: differences that are worth no cut
 
 /// A floor or a part of one.
 struct Piece {
