@@ -19,6 +19,8 @@ namespace {
 
 __extension__ using Int128 = __int128;
 
+constexpr std::size_t kMostBeside = 8;
+
 struct NearVertex {
   Int128 along = 0;  ///< along the edge; a common scale
   Index place = 0;
@@ -125,6 +127,7 @@ class NearPlaces {
     std::vector<Index> result;
     for (const NearVertex& near : found)
       if (result.empty() || result.back() != near.place) result.push_back(near.place);
+    if (result.size() > kMostBeside) result.clear();
     return result;
   }
 

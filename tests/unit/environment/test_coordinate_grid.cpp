@@ -17,7 +17,7 @@ namespace {
 
 GridExtent extentOf(double side, double offset = 0) {
   GridExtent extent;
-  for (const Vec3& p : {Vec3{offset, 0, 0}, Vec3{offset + side, side / 2, 1}}) {
+  for (const Vec3& p : {Vec3{offset, 0, 0}, Vec3{offset + side, side / 2, side / 4}}) {
     extent.include(p);
     extent.includeVertex(p);
   }

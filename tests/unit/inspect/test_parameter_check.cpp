@@ -63,6 +63,7 @@ QString notesOf(const Environment& level, const std::string& pipeline) {
 /// A ramp that is 100 long and 20 wide, and rises by `rise` in each of them, beside a floor of the same size.
 std::shared_ptr<Environment> ramp(double rise) {
   auto level = Soup().floor(0, 0, 100, 20, 0).environment();
+  level->scaleGuessed = false;
   const auto first = static_cast<std::uint32_t>(level->vertices.size());
   for (const Vec3& p : {Vec3{0, 20, 0}, Vec3{100, 20, 100 * rise}, Vec3{100, 40, 100 * rise}, Vec3{0, 40, 0}})
     level->vertices.push_back(p);
@@ -127,12 +128,12 @@ class TestParameterCheck : public QObject {
                 "unit is larger, give the metres of a unit, perhaps 10"));
     QCOMPARE(notes("VerticalClearanceFilter 3\n"), QString());
     QCOMPARE(notes("#off VerticalClearanceFilter 40\n"), QString());
+    level->scaleGuessed = false;
     level->metresPerUnit = 0.01;
     QCOMPARE(notes("VerticalClearanceFilter 200\n"),
              QString("0: the whole level is no larger than 0.3 m, less than ten times an agent's height of 2 m; if its "
                      "unit is larger, give the metres of a unit, perhaps 1"));
     level->metresPerUnit = 1000;
-    level->scaleGuessed = false;
     QCOMPARE(notes("VerticalClearanceFilter 0.002\n"),
              QString("0: the level is 30000 m large; if its unit is smaller, give the metres of a unit, perhaps 100"));
   }
