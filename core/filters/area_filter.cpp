@@ -17,6 +17,7 @@
 #include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
+#include "core/environment/area_on_grid.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/root_sum.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -84,9 +85,10 @@ int compareExactly(const PlanKernel& kernel, const WalkableMesh& mesh, std::span
 
 }  // namespace
 
-FilterOutcome applyArea(const StatePtr& given, double minimum, const Recall& recall, RunContext& context) {
+FilterOutcome applyArea(const StatePtr& given, double asked, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   const StatePtr state = withMesh(given, context, outcome.fallbacks);
+  const double minimum = areaOnGrid(state->environment->grid, asked);
   const PlanKernel& kernel = *state->kernel;
   const WalkableMesh& mesh = *state->mesh;
   const Poll poll(context);
@@ -135,7 +137,7 @@ FilterOutcome applyArea(const StatePtr& given, double minimum, const Recall& rec
   }
   outcome.state = withRegions(
       *state, {*topology, region, keep, recall.isLast || state != given},
-      [&](const StatePtr& other) { return applyArea(other, minimum, {}, context).state; }, context, outcome.fallbacks);
+      [&](const StatePtr& other) { return applyArea(other, asked, {}, context).state; }, context, outcome.fallbacks);
   outcome.note = regionsRemoved(removed, regionCount);
   return outcome;
 }

@@ -8,6 +8,7 @@
 #include "core/base/background_release.hpp"
 #include "core/base/byte_stream.hpp"
 #include "core/base/process_usage.hpp"
+#include "core/environment/area_on_grid.hpp"
 #include "core/tiles/cell_runner.hpp"
 #include "core/tiles/tile_folder.hpp"
 #include "core/tiles/tile_regions.hpp"
@@ -205,7 +206,7 @@ class TileRun {
     DroppedTriangles dropped;
     ByteWriter out;
     if (ranks_.isFirst()) {
-      forTilesWithSmallRegions(*steps_.minimumArea,
+      forTilesWithSmallRegions(areaOnGrid(environment_.head().grid, *steps_.minimumArea),
                                [&dropped](const Tile& tile, std::size_t, const std::vector<Index>& regionOf,
                                           const std::vector<char>& keeps) { dropped.add(tile, regionOf, keeps); });
       dropped.sort();
@@ -231,8 +232,8 @@ class TileRun {
 
   void runBehindCells(bool hasAreas) {
     runGaps();
-    if (steps_.minimumArea && hasAreas) dropSmallRegions(*steps_.minimumArea);
-    if (steps_.minimumLinkedArea) dropSmallRegions(*steps_.minimumLinkedArea);
+    if (steps_.minimumArea && hasAreas) dropSmallRegions(areaOnGrid(environment_.head().grid, *steps_.minimumArea));
+    if (steps_.minimumLinkedArea) dropSmallRegions(areaOnGrid(environment_.head().grid, *steps_.minimumLinkedArea));
     if (!steps_.global.empty()) runGlobalSteps();
   }
 
