@@ -281,21 +281,49 @@ Index FaceTriangulation::cross(const Segment& segment, Index u, Index cell) {
   return target;
 }
 
+// An edge is found from a cell that had it, or was beside one that had it, when it was last looked at. Flips move it to
+// a neighbor; only rarely must it be looked for around its ends.
 void FaceTriangulation::flipAway(const Segment& segment) {
+  const auto findNear = [&](const Edge& e, Index near) {
+    const auto edgeIn = [&](Index cell) {
+      const auto& corners = cells_[cell].corners;
+      for (int k = 0; k < 3; ++k)
+        if ((corners[k] == e[0] && corners[next(k)] == e[1]) || (corners[k] == e[1] && corners[next(k)] == e[0]))
+          return k;
+      return -1;
+    };
+    Place place;
+    if (near >= 0) {
+      const std::array<Index, 3> neighbors = cells_[near].neighbors;
+      for (const Index cell : {near, neighbors[0], neighbors[1], neighbors[2]}) {
+        const int k = cell < 0 ? -1 : edgeIn(cell);
+        if (k < 0) continue;
+        const Index beyond = cells_[cell].neighbors[k];
+        if (cells_[cell].corners[k] == e[0]) return Place{cell, k};
+        return Place{beyond, neighborSlot(cells_[beyond], cell)};
+      }
+    }
+    if (!findEdge(e[0], e[1], place)) fail("a lost edge");
+    return place;
+  };
+  std::vector<Index> near;  // of each crossed edge; each of them is beside the one before, until edges are flipped
+  near.reserve(2 * crossed_.size());
+  for (const Edge& e : crossed_) near.push_back(findNear(e, near.empty() ? -1 : near.back()).cell);
   for (std::size_t head = 0; head < crossed_.size(); ++head) {
     poll();
-    Edge e = crossed_[head];
-    Place place;
-    if (!findEdge(e[0], e[1], place)) fail("a lost edge");
+    const Edge e = crossed_[head];
+    const Place place = findNear(e, near[head]);
     const Index other = cells_[place.cell].neighbors[place.k];
     const Index r = cells_[place.cell].corners[previous(place.k)];
     const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], place.cell))];
     if (geometry_.orientation(r, e[0], d) > 0 && geometry_.orientation(r, d, e[1]) > 0) {
       flip(place.cell, place.k);
-      if (sideOfSegment(segment, r) * sideOfSegment(segment, d) < 0) crossed_.push_back({r, d});
+      if (sideOfSegment(segment, r) * sideOfSegment(segment, d) >= 0) continue;
+      crossed_.push_back({r, d});
     } else {
       crossed_.push_back(e);
     }
+    near.push_back(place.cell);
   }
 }
 
