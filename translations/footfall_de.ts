@@ -1024,6 +1024,10 @@
         <translation>%1 Verbindungen über Stufen</translation>
     </message>
     <message>
+        <source>%1; short ways over gaps left out, as they lead nowhere else: %2</source>
+        <translation>%1; kurze Wege über Lücken weggelassen, da sie nirgendwo anders hinführen: %2</translation>
+    </message>
+    <message>
         <source>steps: its comments count %1, but it has %2</source>
         <translation>Stufen: die Kommentare nennen %1, aber es sind %2</translation>
     </message>
@@ -2487,8 +2491,8 @@
         <translation>Ein VerticalClearanceFilter geht voran.</translation>
     </message>
     <message>
-        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter adds to them.</source>
-        <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist. Folgende Filter behalten Verbindungen, wo sie beide Ränder übrig lassen; ein weiterer StepFilter fügt welche hinzu.</translation>
+        <source>Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at most the step and nothing lies higher than the step above the lower one and within the clearance above the higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, straight along the plan; a stretch of at most twice the gap only where both floors do not hang together right there anyway. Filters that follow keep links where they leave both borders; another StepFilter adds to them.</source>
+        <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist; eine Strecke von höchstens der doppelten Lücke nur, wo beide Flächen nicht ohnehin genau dort zusammenhängen. Folgende Filter behalten Verbindungen, wo sie beide Ränder übrig lassen; ein weiterer StepFilter fügt welche hinzu.</translation>
     </message>
     <message>
         <source>Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; steps are no border.</source>

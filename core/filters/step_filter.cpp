@@ -46,6 +46,10 @@ FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, 
     outcome.note =
         Text(FOOTFALL_TEXT("%1 (%2 more could not be verified)"), outcome.note, Text::count(linker.undecided()));
   }
+  if (linker.leftOut() > 0) {
+    outcome.note = Text(FOOTFALL_TEXT("%1; short ways over gaps left out, as they lead nowhere else: %2"), outcome.note,
+                        Text::count(linker.leftOut()));
+  }
   outcome.state = std::move(state);
   return outcome;
 }

@@ -98,8 +98,10 @@ FilterDescriptor describeStep() {
           "Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at "
           "most the step and nothing lies higher than the step above the lower one and within the clearance above the "
           "higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, "
-          "straight along the plan. Filters that follow keep links where they leave both borders; another StepFilter "
-          "adds to them.",
+          "straight along the plan; a stretch of at most twice the gap only where both floors do not hang together "
+          "right "
+          "there anyway. Filters that follow keep links where they leave both borders; another StepFilter adds to "
+          "them.",
       .source = "ours",
       .parameters =
           {{

@@ -47,8 +47,8 @@ struct GapPiece {
   std::array<double, 2> ends{};
   std::array<std::vector<Index>, 2> touching;  ///< obstacles at each end that must be proven to lie beyond it
   bool isAsWide = false;                       ///< as wide as the gap may be, within rounding: must be proven not wider
-  /// A place of the first border at a corner, or where both run apart at a large angle: a link is needed only where it
-  /// leads somewhere (removeNeedlessCorners()).
+  /// A place of the first border at a corner, where both run apart at a large angle, or in the middle of a piece of at
+  /// most kShortInGaps gaps: a link is needed only where it leads somewhere (removeNeedlessGaps()).
   std::optional<Vec3> corner = {};
 };
 
@@ -61,6 +61,9 @@ class GapConditions {
   static constexpr double kSnap = 128 * kUnit;
   /// Shorter borders have no direction, and are not linked over gaps.
   static constexpr double kShort = 4096 * kUnit;
+
+  /// A piece that is no longer, in widths of the gap, is seen whole from its middle within twice the gap.
+  static constexpr double kShortInGaps = 2;
 
   /// Lengths are scaled. `removed`: for each source triangle, it is out of the environment.
   GapConditions(const SourceMesh& mesh, const std::vector<char>& removed, double step, double clearance, double gap)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -26,6 +27,9 @@ constexpr double kMostCoordinate = 0x1p36;
 /// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other
 /// at all angles, there is no end to that; what is not matched then is not linked, and counted.
 constexpr int kRounds = 4;
+/// A later round makes at most as many cuts as the first one did, and so many more for each gap: where cuts bring forth
+/// more and more, time and memory still follow the gaps.
+constexpr std::size_t kCutsOfGap = 4, kFewCuts = 64;
 /// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
 constexpr double kDrawnIn = 4 * GapConditions::kSlack;
 /// For a first look at two borders by rounded vertices: what is taken for touching, scaled; how much longer than their
@@ -38,6 +42,11 @@ Vec3 roundToUnit(const Vec3& p) {
   return {std::nearbyint(p.x / kUnit) * kUnit, std::nearbyint(p.y / kUnit) * kUnit, p.z};
 }
 bool isNear(const Vec3& a, const Vec3& b) { return std::fabs(a.x - b.x) <= kSnap && std::fabs(a.y - b.y) <= kSnap; }
+Vec3 middleOf(const GapBorder& line, const GapPiece& piece) {
+  const double begin = piece.frame.along(line.from.x, line.from.y), end = piece.frame.along(line.to.x, line.to.y);
+  const double t = std::clamp(((piece.ends[0] + piece.ends[1]) / 2 - begin) / (end - begin), 0.0, 1.0);
+  return {line.from.x + t * (line.to.x - line.from.x), line.from.y + t * (line.to.y - line.from.y), 0};
+}
 double longerOf(const GapBorder& line, const Vec3& place) {
   return std::fabs(line.to.x - line.from.x) >= std::fabs(line.to.y - line.from.y) ? place.x : place.y;
 }
@@ -111,7 +120,11 @@ std::vector<GapStretch> GapLinker::find(Index first, Index second, GapConditions
     return lines.lines[slot];
   };
   const GapBorder line = lineOf(first), other = lineOf(second);
-  for (GapPiece& free : conditions.find(line, other)) found.push_back({first, second, std::move(free), {}, false});
+  const double longest = std::ldexp(GapConditions::kShortInGaps * gap_, splits_.kernel()->mesh().grid.scaleExponent());
+  for (GapPiece& free : conditions.find(line, other)) {
+    if (!free.corner && free.ends[1] - free.ends[0] <= longest) free.corner = middleOf(line, free);
+    found.push_back({first, second, std::move(free), {}, false});
+  }
   return found;
 }
 
@@ -214,9 +227,10 @@ void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, d
 }
 
 // The ends of all gaps, and what lies across from each vertex within one.
-void GapLinker::planCuts(Cuts& cuts) {
+bool GapLinker::planCuts(Cuts& cuts) {
   for (GapStretch& stretch : gaps_) {
     context_.checkCancelled();
+    if (cuts.list.size() > cuts.most) return false;
     if (stretch.isDropped) continue;
     const auto [low, high] = stretch.piece.ends;
     const std::array numbers{stretch.first, stretch.second};
@@ -232,6 +246,7 @@ void GapLinker::planCuts(Cuts& cuts) {
         planCut(stretch, numbers[1 - k], chains[1 - k], own.along(stretch.piece.frame, i), cuts);
     }
   }
+  return true;
 }
 
 void GapLinker::makeCuts(const std::vector<Cut>& cuts, const Spread& spread) {
@@ -371,12 +386,14 @@ bool GapLinker::proveAll() {
 }
 
 void GapLinker::split(const Spread& spread) {
+  std::size_t most = SIZE_MAX;
   for (int round = 0; round < kRounds; ++round) {
     context_.checkCancelled();
-    Cuts cuts;
-    planCuts(cuts);
+    Cuts cuts{most, {}, {}};
+    if (!planCuts(cuts)) break;
     if (cuts.list.empty() && !proveAll()) return;
     makeCuts(cuts.list, spread);
+    if (round == 0) most = cuts.list.size() + kCutsOfGap * gaps_.size() + kFewCuts;
   }
   while (proveAll()) context_.checkCancelled();  // what is still drawn in then has no vertices there, and goes
 }

@@ -70,6 +70,7 @@ class GapLinker {
     std::array<Vec3, 2> line;
   };
   struct Cuts {
+    std::size_t most = 0;
     std::vector<Cut> list;
     std::unordered_map<Index, std::multimap<double, Vec3>> places;  ///< of each edge, by its longer coordinate
   };
@@ -112,7 +113,8 @@ class GapLinker {
   [[nodiscard]] static std::optional<std::size_t> findAt(const Chain& chain, const GapFrame& frame, double along);
   /// The vertex of a border at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along);
-  void planCuts(Cuts& cuts);
+  /// False when they would be more than allowed.
+  [[nodiscard]] bool planCuts(Cuts& cuts);
   void planCut(GapStretch& stretch, Index border, const Chain& chain, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
   /// Proves of all gaps what the cuts made of them; draws ends in. False when none was.

@@ -49,7 +49,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height,
   if (gap > 0 || hasGaps) gaps_.emplace(splits_, gap, context_);
   StepFindings found = findStretches({step, height}, gap);
   if (memory != nullptr) *memory = {state_.mesh, step, height, gap, splits_.borders(), found};
-  removeNeedlessCorners(found.gaps, found.stretches, splits_, gap, context_);
+  leftOut_ = removeNeedlessGaps(found.gaps, found.stretches, splits_, gap, context_);
   undecided_ += found.undecided.size();
   stretches_ = std::move(found.stretches);
   if (gaps_) gaps_->add(std::move(found.gaps));

@@ -46,6 +46,8 @@ class StepLinker {
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
   /// Pairs of borders, and pieces of gaps, of which it is not known where the link ends: they are not linked.
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
+  /// Gaps that link() left out, as they lead nowhere else (removeNeedlessGaps()).
+  [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
  private:
   using Stretch = StepStretch;
@@ -97,7 +99,7 @@ class StepLinker {
   std::vector<Stretch> stretches_;
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   ExactFallbacks fallbacks_;
-  std::size_t undecided_ = 0;
+  std::size_t undecided_ = 0, leftOut_ = 0;
 };
 
 }  // namespace footfall::detail
