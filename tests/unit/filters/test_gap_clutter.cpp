@@ -11,6 +11,7 @@
 #include "core/base/disjoint_sets.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "footfall/run.hpp"
+#include "tests/support/live_runs.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/support/soup.hpp"
