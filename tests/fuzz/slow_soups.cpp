@@ -19,6 +19,20 @@ void addFloor(Triangles& soup, double x0, double y0, double x1, double y1, doubl
   addQuad(soup, {x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z});
 }
 
+/// The five upper sides of a box that is turned about its corner: nothing is meant to be seen from below.
+void addCrate(Triangles& soup, const Vec3& corner, const std::array<double, 3>& size, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  const auto at = [&](double x, double y, double z) {
+    return Vec3{corner.x + c * x - s * y, corner.y + s * x + c * y, corner.z + z};
+  };
+  const auto [w, d, h] = size;
+  addQuad(soup, at(0, 0, h), at(w, 0, h), at(w, d, h), at(0, d, h));
+  addQuad(soup, at(0, 0, 0), at(w, 0, 0), at(w, 0, h), at(0, 0, h));
+  addQuad(soup, at(w, 0, 0), at(w, d, 0), at(w, d, h), at(w, 0, h));
+  addQuad(soup, at(w, d, 0), at(0, d, 0), at(0, d, h), at(w, d, h));
+  addQuad(soup, at(0, d, 0), at(0, 0, 0), at(0, 0, h), at(0, d, h));
+}
+
 }  // namespace
 
 double SlowSoups::number(double low, double high) {
@@ -27,11 +41,12 @@ double SlowSoups::number(double low, double high) {
 
 Triangles SlowSoups::make() {
   Triangles soup;
-  const std::size_t kind = below(7);
+  const std::size_t kind = below(9);
   const double height = number(0, 1) < 0.5 ? 0 : number(0, 1.9);
   if (kind != 0) addFloor(soup, 0, 0, kExtent, kExtent, 0);
   const double size = number(1, kExtent);
-  while (soup.size() + 2 <= most_) {
+  constexpr std::size_t kCrate = 10;
+  while (soup.size() + (kind < 7 ? 2 : kCrate) <= most_) {
     const double x = number(0, kExtent), y = number(0, kExtent), angle = number(0, 6.3);
     const double z = 0.05 + number(0, height), dx = size * std::cos(angle), dy = size * std::sin(angle);
     switch (kind) {
@@ -53,13 +68,32 @@ Triangles SlowSoups::make() {
       case 5:  // ramps that pierce the floor
         soup.push_back({{{x, y, -z}, {x + dx, y + dy, z}, {x - dy, y + dx, -z}}});
         break;
+      case 7:  // crates at all angles
+        addCrate(soup, {x, y, 0}, {number(0.2, 3), number(0.2, 3), number(0.1, 3)}, angle);
+        break;
+      case 8:  // furniture and what lies on it: many floors hardly larger than a gap, near each other
+        addCrate(soup, {x / 200, y / 200, z / 8}, {number(0.005, 0.08), number(0.005, 0.08), number(0.005, 0.1)},
+                 height == 0 ? 0 : angle);
+        break;
       default:  // anything on a coarse grid
         soup.push_back({});
         for (Vec3& p : soup.back())
           p = {std::floor(number(0, 20)), std::floor(number(0, 20)), std::floor(number(0, 4))};
     }
   }
+  if (below(2) == 0) addNoise(soup, 0, soup.size());
   return soup;
+}
+
+// As a file of floats has it that matrices of floats placed.
+void SlowSoups::addNoise(Triangles& soup, std::size_t first, std::size_t last) {
+  const auto noisy = [&](double value) {
+    const auto rounded = static_cast<float>(value);
+    const auto unit = static_cast<float>(std::ldexp(1.0, std::ilogb(std::fabs(rounded) + 1e-30F) - 23));
+    return static_cast<double>(rounded + unit * static_cast<float>(static_cast<int>(below(5)) - 2));
+  };
+  for (std::size_t t = first; t < last; ++t)
+    for (Vec3& p : soup[t]) p = {noisy(p.x), noisy(p.y), noisy(p.z)};
 }
 
 void SlowSoups::change(Triangles& soup, std::size_t first, std::size_t last) {
@@ -96,6 +130,7 @@ void SlowSoups::change(Triangles& soup, std::size_t first, std::size_t last) {
 
 Triangles SlowSoups::mutate(const Triangles& soup, const Triangles& other) {
   Triangles result = soup;
+  if (below(8) == 0) addNoise(result, 0, result.size());
   for (std::size_t rounds = 1 + below(4); rounds > 0; --rounds) {
     const std::size_t length = 1 + below(std::max<std::size_t>(result.size() / (1 + below(20)), 1));
     const std::size_t to = below(result.size() - length + 1);

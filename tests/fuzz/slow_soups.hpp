@@ -18,7 +18,8 @@ class SlowSoups {
  public:
   SlowSoups(std::uint64_t seed, std::size_t most) : engine_(seed), most_(most) {}
 
-  /// Something known to be much work: floors above each other, slabs or blades over a floor, needles, walls, ramps.
+  /// Something known to be much work: floors above each other, slabs or blades over a floor, needles, walls, ramps,
+  /// crates at all angles, furniture; every second time with coordinates that are off by their last bits as floats.
   Triangles make();
   /// A soup with a few runs of its triangles copied, moved, turned, stretched or snapped, or taken from `other`.
   Triangles mutate(const Triangles& soup, const Triangles& other);
@@ -27,6 +28,7 @@ class SlowSoups {
   double number(double low, double high);
   std::size_t below(std::size_t count) { return static_cast<std::size_t>(engine_() % count); }
   void change(Triangles& soup, std::size_t first, std::size_t last);
+  void addNoise(Triangles& soup, std::size_t first, std::size_t last);
 
   std::mt19937_64 engine_;
   std::size_t most_;
