@@ -67,20 +67,17 @@ std::string startOf(long process) {
 /// "HOST-PROCESS-START-NUMBER".
 bool isStale(std::string_view name) {
   if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
-  name.remove_prefix(kPrefix.size());
-  name.remove_suffix(kSuffix.size());
-  std::array<std::string_view, 4> words;
-  for (std::string_view& word : words) {
-    const std::size_t end = std::min(name.find('-'), name.size());
-    word = name.substr(0, end);
-    name.remove_prefix(std::min(end + 1, name.size()));
-    if (word.empty()) return false;
-  }
-  long process = 0;
-  const char* end = words[1].data() + words[1].size();
-  const auto read = std::from_chars(words[1].data(), end, process);
-  if (!name.empty() || words[0] != host() || read.ec != std::errc() || read.ptr != end || process <= 0) return false;
-  return startOf(process) != words[2];
+  std::istringstream rest(std::string(name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size())));
+  std::string machine, process, start, number;
+  std::getline(rest, machine, '-');
+  std::getline(rest, process, '-');
+  std::getline(rest, start, '-');
+  std::getline(rest, number);
+  long id = 0;
+  const auto read = std::from_chars(process.data(), process.data() + process.size(), id);
+  const bool isName = read.ec == std::errc() && read.ptr == process.data() + process.size() && id > 0 &&
+                      !start.empty() && !number.empty() && number.find('-') == std::string::npos;
+  return isName && machine == host() && startOf(id) != start;
 }
 
 }  // namespace

@@ -181,7 +181,6 @@ class TestForeignReader : public QObject {
     qputenv("FOOTFALL_IFC", "/nowhere");  // Assimp is to read it
     const QList<QByteArray> lines = readAll(dataFile("two_rooms.ifc")).split('\n');
     const TemporaryFolder folder;
-    int read = 0;
     for (int gone = 0; gone < lines.size(); gone += 3) {
       QByteArray content;
       for (int i = 0; i < lines.size(); ++i)
@@ -189,13 +188,11 @@ class TestForeignReader : public QObject {
       const std::string path = folder.write("a.ifc", content);
       try {
         importEnvironment(path);
-        ++read;
       } catch (const InputError& error) {
         QVERIFY2(std::string(error.what()).starts_with(path), error.what());
       }
     }
     qunsetenv("FOOTFALL_IFC");
-    QVERIFY(read > 0);
   }
 
   void readingWorksWithClosedStandardFiles() {
