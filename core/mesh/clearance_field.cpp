@@ -51,7 +51,11 @@ ClearanceField::Nearest ClearanceField::at(std::uint32_t face, FieldVector p) co
     if (corner != FieldEdge::kNone) take(corner, features_[corner].place);
     for (const FieldWindow& window : windowsOf(edge)) {
       if (window.into != (half & 1)) continue;
-      const FieldVector q = features_[window.feature].nearestTo(p);
+      const FieldFeature& feature = features_[window.feature];
+      // Beyond its ends, an edge has corners that are features of their own, or it is not the nearest.
+      const double along = dot(p - feature.place, feature.along), over = 4 * tolerance();
+      if (!feature.isCorner() && (along < -over || along > feature.length + over)) continue;
+      const FieldVector q = feature.nearestTo(p);
       if (dot(q - p, q - p) <= least && crossesWithin(surface_.edges[edge], window, p, q, 4 * tolerance()))
         take(window.feature, q);
     }

@@ -1,4 +1,4 @@
-// How far every place of a walkable mesh is from the border, computed once (docs/corridors.md, "The clearance field").
+// How far every place of a walkable mesh is from the border, computed once (docs/how-to/corridors.md, "The clearance field").
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,18 +18,13 @@ namespace footfall::detail {
 struct FieldOptions {
   /// Distances beyond it are not looked for.
   double bound = std::numeric_limits<double>::infinity();
-  /// For each side of each triangle (3 t + i) bits of what stands there, as wall and ledge; empty: all sides are alike.
-  std::span<const std::uint8_t> kinds = {};
-  /// Borders with none of these bits block, and are no borders to be far from.
-  std::uint8_t wanted = 0xFF;
 };
 
 /// For each walkable face, the features of the border that are nearest to some place of it, and through which stretches
 /// of its sides they are.
 ///
-/// D(p) is the least length, in the plan, of a straight walk over joined faces, steps and gaps from p to the wanted
-/// border. (A walk to the whole border that is shortest is straight: where it bent, there would be a border. Walks to
-/// one kind of border that bend around another kind are not looked for.)
+/// D(p) is the least length, in the plan, of a straight walk over joined faces, steps and gaps from p to the border.
+/// (The shortest walk to the border is straight: where it bent, there would be a border.)
 ///
 /// How it is found: a feature is an edge of the border, or a corner of it that is not convex. Its rays spread from face
 /// to face as windows, stretches of mesh edges on which no other feature is known to be nearer by a margin. Along an

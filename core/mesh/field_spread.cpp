@@ -39,18 +39,10 @@ double turnOf(FieldVector from, FieldVector to) { return std::atan2(cross(from, 
 FieldSpread::FieldSpread(ClearanceField& field, const FieldOptions& options, Poll poll)
     : field_(field),
       surface_(field.surface()),
-      options_(options),
       poll_(poll),
       margin_(field.margin()),
       tolerance_(field.tolerance()),
       bound_(options.bound + field.margin()) {}
-
-bool FieldSpread::isWanted(const FieldEdge& edge) const {
-  if (options_.kinds.empty()) return true;
-  const std::size_t side = 3 * std::size_t{edge.faces[0]} + edge.sides[0];
-  // The far edges of gaps are sides of faces that are not the mesh's own.
-  return side >= options_.kinds.size() || (options_.kinds[side] & options_.wanted) != 0;
-}
 
 void FieldSpread::findFeatures() {
   const auto& edges = surface_.edges;
@@ -58,7 +50,7 @@ void FieldSpread::findFeatures() {
   field_.fanFeatures_.assign(surface_.topology.fanVertices.size(), FieldEdge::kNone);
   for (std::uint32_t e = 0; e < edges.size(); ++e) {
     const FieldEdge& edge = edges[e];
-    if (!edge.isBorder() || !isWanted(edge)) continue;
+    if (!edge.isBorder()) continue;
     field_.edgeFeatures_[e] = static_cast<std::uint32_t>(field_.features_.size());
     field_.features_.push_back({edge.begin, edge.along, leftOf(edge.along), edge.length, edge.faces[0], edge.sides[0]});
   }
@@ -72,25 +64,18 @@ void FieldSpread::addCorner(std::uint32_t edge) {
   const FieldEdge& first = surface_.edges[edge];
   const std::vector<FieldCorner> fan = fanFrom(surface_, first.faces[0], first.sides[0]);
   const FieldCorner end = fan.back();
-  const FieldEdge& last = surface_.edgeOf(end.face, (end.corner + 2) % 3);
-  Cone cone;
-  cone.cutsFirst = isWanted(first);
-  cone.cutsLast = isWanted(last);
-  if (!cone.cutsFirst && !cone.cutsLast) return;
   const FieldVector p = surface_.corner(first.faces[0], first.sides[0]);
   double angle = 0;
   for (const FieldCorner& c : fan)
     angle += turnOf(surface_.corner(c.face, c.corner + 1) - p, surface_.corner(c.face, c.corner + 2) - p);
-  if (cone.cutsFirst && cone.cutsLast) {
-    if (angle < 2 * kHalfPi - kAngleError) return;
-    const FieldVector before = surface_.corner(end.face, end.corner + 2), behind = first.at(first.length);
-    const FieldVector exact = surface_.corner(first.faces[0], first.sides[0] + 1);
-    if (angle < 2 * kHalfPi + kAngleError && lengthOf(behind - p) > 0 &&
-        facing({before.x, before.y, 0}, {p.x, p.y, 0}, {exact.x, exact.y, 0}) >= 0)
-      return;
-  }
-  cone.from = cone.cutsFirst ? kHalfPi - kAngleError : -kAngleError;
-  cone.to = cone.cutsLast ? angle - kHalfPi + kAngleError : angle + kAngleError;
+  if (angle < 2 * kHalfPi - kAngleError) return;
+  const FieldVector before = surface_.corner(end.face, end.corner + 2);
+  const FieldVector behind = surface_.corner(first.faces[0], first.sides[0] + 1);
+  if (angle < 2 * kHalfPi + kAngleError && facing({before.x, before.y, 0}, {p.x, p.y, 0}, {behind.x, behind.y, 0}) >= 0)
+    return;
+  Cone cone;
+  cone.from = kHalfPi - kAngleError;
+  cone.to = angle - kHalfPi + kAngleError;
   cone.edge = edge;
   cone.feature = static_cast<std::uint32_t>(field_.features_.size());
   field_.fanFeatures_[surface_.topology.fans[first.faces[0]][first.sides[0]]] = cone.feature;
@@ -100,9 +85,10 @@ void FieldSpread::addCorner(std::uint32_t edge) {
 
 void FieldSpread::arrive(std::uint32_t half, std::uint32_t feature, bool spreads, double lo, double hi,
                          Arrivals& out) const {
+  if (lo > hi) return;
+  const FieldEdge& edge = surface_.edges[half >> 1];
+  FieldWindow w = windowOf(field_.features_[feature], feature, edge);
   if (bound_ < std::numeric_limits<double>::infinity()) {
-    const FieldEdge& edge = surface_.edges[half >> 1];
-    const FieldWindow w = windowOf(field_.features_[feature], feature, edge);
     if (w.isCorner) {
       const double rest = bound_ * bound_ - w.slope;
       if (rest < 0) return;
@@ -111,15 +97,14 @@ void FieldSpread::arrive(std::uint32_t half, std::uint32_t feature, bool spreads
     } else {
       cutAtMost(w.distance(0), w.distance(edge.length), edge.length, bound_, lo, hi);
     }
+    if (lo > hi) return;
   }
-  if (lo > hi) return;
-  FieldArrival arrival;
-  arrival.edge = half >> 1;
-  arrival.feature = feature;
-  if (spreads) arrival.into = (half & 1) != 0 ? 0 : 1;
-  arrival.lo = lo;
-  arrival.hi = hi;
-  out.push_back(arrival);
+  // Rays that pass the end of their own feature on the border, and no other place: others go there as well.
+  if (hi - lo <= 4 * tolerance_ && edge.length > margin_ && w.distance(lo) <= 4 * tolerance_) return;
+  w.lo = lo;
+  w.hi = hi;
+  if (spreads) w.into = (half & 1) != 0 ? 0 : 1;
+  out.push_back({half >> 1, 0, w});
 }
 
 void FieldSpread::follow(std::uint32_t face, int side, FieldVector left, FieldVector right, std::uint32_t feature,
@@ -176,10 +161,8 @@ void FieldSpread::beginCone(const Cone& cone, Arrivals& out) const {
       const FieldEdge& edge = surface_.edges[half >> 1];
       double lo = 0, hi = edge.length;
       const FieldVector a = (half & 1) != 0 ? left : right, b = (half & 1) != 0 ? right : left;
-      if (cone.cutsFirst && begin < kHalfPi)
-        cutAtMost(dot(a - p, first.along), dot(b - p, first.along), edge.length, tolerance_, lo, hi);
-      if (cone.cutsLast && end > cone.to - kAngleError)
-        cutAtMost(dot(a - p, along), dot(b - p, along), edge.length, tolerance_, lo, hi);
+      if (begin < kHalfPi) cutAtMost(dot(a - p, first.along), dot(b - p, first.along), edge.length, tolerance_, lo, hi);
+      if (end > cone.to - kAngleError) cutAtMost(dot(a - p, along), dot(b - p, along), edge.length, tolerance_, lo, hi);
       if (!edge.isBorder()) arrive(half, cone.feature, true, lo, hi, out);
     }
     const std::uint32_t spoke = surface_.halves[c.face][c.corner];
@@ -228,14 +211,12 @@ void FieldSpread::takeArrivals() {
         mine.push_back(arrivals_[i]);
       firstArrival_[e] = FieldEdge::kNone;
       std::sort(mine.begin(), mine.end(), [](const FieldArrival& a, const FieldArrival& b) {
-        return std::tie(a.feature, a.into, a.lo, a.hi) < std::tie(b.feature, b.into, b.lo, b.hi);
+        return std::tie(a.window.feature, a.window.into, a.window.lo, a.window.hi) <
+               std::tie(b.window.feature, b.window.into, b.window.lo, b.window.hi);
       });
       bool isFresh = false;
-      for (const FieldArrival& a : mine) {
-        FieldWindow window = windowOf(field_.features_[a.feature], a.feature, surface_.edges[e]);
-        std::tie(window.lo, window.hi, window.into) = std::tie(a.lo, a.hi, a.into);
-        isFresh |= addWindow(windows_[e], window, margin_);
-      }
+      windows_[e].reserve(4);
+      for (const FieldArrival& a : mine) isFresh |= addWindow(windows_[e], a.window, margin_);
       if (!isFresh) reached_[k] = FieldEdge::kNone;
     }
   });

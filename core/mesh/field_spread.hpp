@@ -13,10 +13,9 @@ namespace footfall::detail {
 
 /// A stretch of an edge that rays of a feature reach.
 struct FieldArrival {
-  std::uint32_t edge = 0, feature = 0;
-  std::uint32_t nextOfEdge = 0;
-  std::uint8_t into = FieldWindow::kNowhere;
-  double lo = 0, hi = 0;
+  std::uint32_t edge = 0;
+  std::uint32_t nextOfEdge = 0;  ///< the arrival before it at the same edge
+  FieldWindow window;
 };
 
 class FieldSpread {
@@ -30,11 +29,9 @@ class FieldSpread {
   struct Cone {
     std::uint32_t edge = 0, feature = 0;
     double from = 0, to = 0;  ///< angles from the edge that begins there
-    bool cutsFirst = false, cutsLast = false;
   };
   using Arrivals = std::vector<FieldArrival>;
 
-  [[nodiscard]] bool isWanted(const FieldEdge& edge) const;
   void findFeatures();
   void addCorner(std::uint32_t edge);
   void beginRays();
@@ -51,7 +48,6 @@ class FieldSpread {
 
   ClearanceField& field_;
   const FieldSurface& surface_;
-  const FieldOptions& options_;
   Poll poll_;
   double margin_, tolerance_, bound_;
   std::vector<Cone> cones_;

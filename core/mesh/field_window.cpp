@@ -208,8 +208,10 @@ bool addWindow(std::vector<FieldWindow>& windows, const FieldWindow& window, dou
 }
 
 std::vector<FieldWindow> nearestWindows(const std::vector<FieldWindow>& windows, double margin) {
+  if (windows.size() <= 1) return windows;
   std::vector<FieldWindow> nearest;
-  FieldStretches left;
+  nearest.reserve(windows.size());
+  thread_local FieldStretches left;
   for (const FieldWindow& window : windows) {
     left.assign(1, {window.lo, window.hi});
     for (const FieldWindow& other : windows)

@@ -10,13 +10,13 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::uint32_t kNothing = 0xFFFFFFFF;
+constexpr std::uint32_t kNoEdge = 0xFFFFFFFF;
 /// Widths that differ by less, relative to them, are one width: borders that are parallel but for roundings.
 constexpr double kSameWidth = 1e-6;
 /// Border places are opposite each other when they are as far apart as the place is wide, less this share.
 constexpr double kNotOpposite = 1e-3;
 
-double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+double acrossPlan(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 Vec3 between(const Vec3& a, const Vec3& b, double share) {
   return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
@@ -26,7 +26,7 @@ Vec3 between(const Vec3& a, const Vec3& b, double share) {
 class BottleneckFinder {
  public:
   BottleneckFinder(const CorridorMap& map, const std::vector<double>& hidden, Poll poll)
-      : map_(map), hidden_(hidden), poll_(poll), narrowNodes_(map.edges.size(), kNothing) {
+      : map_(map), hidden_(hidden), poll_(poll), narrowNodes_(map.edges.size(), kNoEdge) {
     for (const CorridorVertex& vertex : map.vertices) widths_.push_back(vertex.width);
     for (std::uint32_t e = 0; e < map.edges.size(); ++e) {
       const CorridorEdge& edge = map.edges[e];
@@ -61,7 +61,7 @@ class BottleneckFinder {
       return {edge.from, edge.to};
     }
     for (const std::uint32_t e : edges_[node])
-      nodes.push_back(narrowNodes_[e] != kNothing ? narrowNodes_[e] : otherEnd(e, node));
+      nodes.push_back(narrowNodes_[e] != kNoEdge ? narrowNodes_[e] : otherEnd(e, node));
     return nodes;
   }
   [[nodiscard]] std::uint32_t otherEnd(std::uint32_t e, std::uint32_t v) const {
@@ -98,18 +98,18 @@ class BottleneckFinder {
   /// The edge of a valley to speak of: the longest one within it, or one beside its narrowest node.
   [[nodiscard]] std::uint32_t edgeOf(const std::vector<std::uint32_t>& nodes) const {
     const std::uint32_t first = nodes.front();
-    std::uint32_t best = kNothing;
+    std::uint32_t best = kNoEdge;
     for (const std::uint32_t node : nodes) {
       if (node >= map_.vertices.size()) continue;
       for (const std::uint32_t e : edges_[node]) {
-        const bool isWithin = narrowNodes_[e] == kNothing && otherEnd(e, node) != node &&
+        const bool isWithin = narrowNodes_[e] == kNoEdge && otherEnd(e, node) != node &&
                               std::find(nodes.begin(), nodes.end(), otherEnd(e, node)) != nodes.end();
-        if (isWithin && (best == kNothing || map_.edges[e].length > map_.edges[best].length)) best = e;
+        if (isWithin && (best == kNoEdge || map_.edges[e].length > map_.edges[best].length)) best = e;
       }
     }
-    if (best != kNothing) return best;
+    if (best != kNoEdge) return best;
     return first >= map_.vertices.size() ? narrowEdges_[first - map_.vertices.size()]
-           : edges_[first].empty()       ? kNothing
+           : edges_[first].empty()       ? kNoEdge
                                          : edges_[first].front();
   }
 
@@ -119,7 +119,7 @@ class BottleneckFinder {
 
   void add(const std::vector<std::uint32_t>& nodes, std::vector<Bottleneck>& found) const {
     const std::uint32_t e = edgeOf(nodes);
-    if (e == kNothing) return;
+    if (e == kNoEdge) return;
     const CorridorEdge& edge = map_.edges[e];
     // What does not get wider on two sides at least is the end of a way.
     std::size_t wider = 0;
@@ -130,11 +130,11 @@ class BottleneckFinder {
     b.edge = e;
     b.width = widths_[nodes.front()];
     double share = 0;
-    if (narrowNodes_[e] != kNothing && nodes.front() == narrowNodes_[e]) {
+    if (narrowNodes_[e] != kNoEdge && nodes.front() == narrowNodes_[e]) {
       b.place = edge.narrowest;
-      share = edge.length > 0 ? planDistance(map_.vertices[edge.from].place, b.place) /
-                                    (planDistance(map_.vertices[edge.from].place, b.place) +
-                                     planDistance(b.place, map_.vertices[edge.to].place))
+      share = edge.length > 0 ? acrossPlan(map_.vertices[edge.from].place, b.place) /
+                                    (acrossPlan(map_.vertices[edge.from].place, b.place) +
+                                     acrossPlan(b.place, map_.vertices[edge.to].place))
                               : 0;
       setBorders(edge, b);
     } else {
@@ -144,7 +144,7 @@ class BottleneckFinder {
       b.left = between(edge.left[0], edge.left[1], share);
       b.right = between(edge.right[0], edge.right[1], share);
     }
-    if (planDistance(b.left, b.right) < b.width * (1 - kNotOpposite)) return;
+    if (acrossPlan(b.left, b.right) < b.width * (1 - kNotOpposite)) return;
     b.isOnlyWay = isBridge_[e] != 0;
     if (b.isOnlyWay) setAreas(e, share, b);
     found.push_back(b);
@@ -169,9 +169,9 @@ class BottleneckFinder {
     const std::size_t count = map_.vertices.size();
     isBridge_.assign(map_.edges.size(), 0);
     below_.assign(map_.edges.size(), 0);
-    lower_.assign(map_.edges.size(), kNothing);
+    lower_.assign(map_.edges.size(), kNoEdge);
     whole_.assign(count, 0);
-    std::vector<std::uint32_t> depth(count, 0), low(count, 0), root(count, 0), next(count, 0), by(count, kNothing);
+    std::vector<std::uint32_t> depth(count, 0), low(count, 0), root(count, 0), next(count, 0), by(count, kNoEdge);
     std::vector<double> area(count, 0);
     for (std::uint32_t start = 0; start < count; ++start) {
       if (depth[start] != 0) continue;

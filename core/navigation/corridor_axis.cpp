@@ -16,8 +16,8 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t kNone = FieldEdge::kNone;
+constexpr double kFarAway = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t kNoFeature = FieldEdge::kNone;
 
 /// A parabola about a corner, along an edge's line: at x along the line it is (x x + h h) / (2 h) away from it.
 struct AxisParabola {
@@ -58,8 +58,8 @@ struct AxisCell {
 /// Takes out the cells of a face one by one.
 class FaceForest {
  public:
-  FaceForest(const ClearanceField& field, std::uint32_t face, std::vector<AxisCell> cells)
-      : field_(field), surface_(field.surface()), face_(face), cells_(std::move(cells)) {
+  FaceForest(const ClearanceField& field, std::uint32_t face, std::vector<AxisCell> cells, Poll poll)
+      : field_(field), surface_(field.surface()), face_(face), cells_(std::move(cells)), poll_(poll) {
     for (const AxisCell& cell : cells_) features_.push_back(cell.feature);
     std::sort(features_.begin(), features_.end());
     features_.erase(std::unique(features_.begin(), features_.end()), features_.end());
@@ -67,8 +67,12 @@ class FaceForest {
 
   FaceAxis make() {
     ends_.resize(cells_.size());
-    for (std::size_t i = 0; i < cells_.size(); ++i) ends_[i] = endOf(i);
+    for (std::size_t i = 0; i < cells_.size(); ++i) {
+      if (i % 16 == 15) poll_();
+      ends_[i] = endOf(i);
+    }
     while (cells_.size() > 2) {
+      if (cells_.size() % 16 == 15) poll_();
       std::size_t best = 0;
       for (std::size_t i = 1; i < ends_.size(); ++i)
         if (ends_[i].fault < ends_[best].fault) best = i;
@@ -83,7 +87,7 @@ class FaceForest {
   /// Where a cell ends between its neighbours.
   struct End {
     FieldVector place;
-    double fault = kInfinity;  ///< by how much it is not where three cells meet
+    double fault = kFarAway;  ///< by how much it is not where three cells meet
   };
 
   [[nodiscard]] const FieldFeature& feature(std::uint32_t number) const { return field_.features()[number]; }
@@ -92,7 +96,7 @@ class FaceForest {
 
   /// By how much a feature is farther from a place than the nearest one, and the place lies outside of the face.
   [[nodiscard]] double faultAt(FieldVector p, std::uint32_t of) const {
-    double least = kInfinity;
+    double least = kFarAway;
     for (const std::uint32_t f : features_) least = std::min(least, distanceTo(feature(f), p));
     double outside = 0;
     for (int side = 0; side < 3; ++side) {
@@ -114,12 +118,12 @@ class FaceForest {
     // Between its own edges the cell of a corner begins.
     if (pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
         pairOf(field_, own.feature, next.feature) == AxisPair::Joined && feature(own.feature).isCorner())
-      return {own.place, kInfinity};
+      return {own.place, kFarAway};
     std::array<FieldVector, 2> places;
     const int count = equallyFar(
         {axisFeature(field_, last.feature), axisFeature(field_, own.feature), axisFeature(field_, next.feature)},
         places);
-    End end{middle, kInfinity};
+    End end{middle, kFarAway};
     for (int k = 0; k < count; ++k) {
       double fault = 0;
       for (const std::uint32_t f : {last.feature, own.feature, next.feature})
@@ -149,7 +153,7 @@ class FaceForest {
       return;
     }
     const FieldVector place = ends_[i].place;
-    double distance = kInfinity;
+    double distance = kFarAway;
     for (const std::size_t k : {last, i, next})
       distance = std::min(distance, distanceTo(feature(cells_[k].feature), place));
     const auto node = static_cast<std::uint32_t>(FaceAxis::kOwn + axis_.nodes.size());
@@ -179,6 +183,7 @@ class FaceForest {
   std::vector<AxisCell> cells_;
   std::vector<End> ends_;
   std::vector<std::uint32_t> features_;
+  Poll poll_;
   FaceAxis axis_;
 };
 
@@ -196,7 +201,7 @@ class AxisMaker {
         const auto face = static_cast<std::uint32_t>(f);
         if (!surface_.takesPart(face)) continue;
         std::vector<AxisCell> cells = cellsOf(face);
-        if (cells.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(cells)).make();
+        if (cells.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(cells), poll_).make();
       }
     });
     for (const FaceAxis& piece : pieces) {
@@ -257,7 +262,7 @@ class AxisMaker {
         const auto edge = static_cast<std::uint32_t>(e);
         if (!surface_.edges[e].isBorder())
           labels_[e] = labelsOf(field_, edge);
-        else if (field_.featureOfEdge(edge) != kNone)
+        else if (field_.featureOfEdge(edge) != kNoFeature)
           labels_[e] = {{field_.featureOfEdge(edge), surface_.edges[e].length}};
       }
     });
@@ -275,7 +280,7 @@ class AxisMaker {
       for (int i = 0; i < 3 && surface_.takesPart(f); ++i) {
         AxisNode& node = axis_.nodes[cornerNodes_ + surface_.topology.fans[f][i]];
         const FieldVector p = surface_.corner(f, i);
-        double distance = kInfinity;
+        double distance = kFarAway;
         for (const int side : {i, (i + 2) % 3})
           for (const AxisLabel& label : labels_[surface_.halves[f][side] >> 1])
             distance = std::min(distance, distanceTo(field_.features()[label.feature], p));
@@ -292,7 +297,7 @@ class AxisMaker {
     for (int side = 0; side < 3; ++side) {
       const std::uint32_t fan = surface_.topology.fans[face][side], own = field_.featureOfFan(fan);
       // The cell of a corner of the border may touch the border of the face nowhere else.
-      if (own != kNone) add({own, cornerNodes_ + fan, surface_.corner(face, side)});
+      if (own != kNoFeature) add({own, cornerNodes_ + fan, surface_.corner(face, side)});
       const std::uint32_t half = surface_.halves[face][side], edge = half >> 1;
       const auto& labels = labels_[edge];
       const std::size_t count = labels.size();

@@ -8,8 +8,6 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <span>
-#include <vector>
 
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
@@ -20,17 +18,9 @@ namespace footfall::reference {
 template <class Number>
 class SeenBorder {
  public:
-  /// `bridged` has its gaps as faces. Sides whose entry in `counts` is 0 block the view and are no border (3 t + i);
-  /// where there are no entries, all count.
-  SeenBorder(const NavigationMesh& bridged, const detail::SurfaceTopology& topology,
-             std::span<const std::uint8_t> counts = {})
-      : mesh_(bridged), topology_(topology), counts_(counts), isBorder_(topology.fanVertices.size(), 0) {
-    for (std::uint32_t t = 0; t < bridged.triangles.size(); ++t)
-      for (int i = 0; i < 3; ++i)
-        if (topology.components[t] != detail::SurfaceTopology::kNone &&
-            topology.neighbours[t][i] == detail::SurfaceTopology::kNone && isCounted(t, i))
-          isBorder_[topology.fans[t][i]] = isBorder_[topology.fans[t][(i + 1) % 3]] = 1;
-  }
+  /// `bridged` has its gaps as faces.
+  SeenBorder(const NavigationMesh& bridged, const detail::SurfaceTopology& topology)
+      : mesh_(bridged), topology_(topology) {}
 
   struct Place {
     Number x, y;
@@ -58,13 +48,9 @@ class SeenBorder {
     const Vec3& v = mesh_.vertices[mesh_.triangles[face][i % 3]];
     return {Number(v.x), Number(v.y)};
   }
-  [[nodiscard]] bool isCounted(std::uint32_t face, int side) const {
-    const std::size_t number = 3 * std::size_t{face} + side;
-    return number >= counts_.size() || counts_[number] != 0;
-  }
   void takeCorner(std::uint32_t face, int i) {
     const Place p = minus(corner(face, i), place_);
-    if (isBorder_[topology_.fans[face][i]] != 0) take(product(p, p));
+    if (topology_.isOpen[topology_.fans[face][i]] != 0) take(product(p, p));
   }
   void take(const Number& squared) {
     if (!best_ || squared < *best_) best_ = squared;
@@ -97,7 +83,7 @@ class SeenBorder {
     if (best_ && least >= *best_) return;
     const std::uint32_t other = topology_.neighbours[face][side];
     if (other == detail::SurfaceTopology::kNone) {
-      if (isCounted(face, side)) take(least);
+      take(least);
       return;
     }
     const int behind = topology_.sideBehind(face, side);
@@ -110,8 +96,6 @@ class SeenBorder {
 
   const NavigationMesh& mesh_;
   const detail::SurfaceTopology& topology_;
-  std::span<const std::uint8_t> counts_;
-  std::vector<char> isBorder_;  ///< of each fan of the topology: a side that counts begins or ends there
   Place place_;
   std::optional<Number> best_;
 };

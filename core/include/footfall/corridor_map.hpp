@@ -77,7 +77,7 @@ struct CorridorOptions {
 CorridorMap makeCorridorMap(const NavigationMesh& mesh, const CorridorOptions& options = {},
                             const RunContext* context = nullptr);
 
-/// The map as JSON (docs/corridors.schema.json), in the frame and the units of its file.
+/// The map as JSON (docs/reference/corridors.schema.json), in the frame and the units of its file.
 std::string formatCorridorsJson(const CorridorMap& map);
 
 /// Reads what formatCorridorsJson() wrote: the same map. `name` is for messages. Throws InputError.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/reference/voronoi/segment_voronoi.hpp"
 
-#include <CGAL/Exact_predicates_exact_constructions_kernel_with_sqrt.h>
 #include <CGAL/Gmpq.h>
 #include <CGAL/Segment_Delaunay_graph_2.h>
 #include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
@@ -15,9 +14,8 @@ namespace {
 
 using DoubleKernel = CGAL::Simple_cartesian<double>;
 using ExactKernel = CGAL::Simple_cartesian<CGAL::Gmpq>;
-using Traits =
-    CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<DoubleKernel, CGAL::Field_with_sqrt_tag,
-                                                                         ExactKernel, CGAL::Field_tag>;
+using Traits = CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<
+    DoubleKernel, CGAL::Field_with_sqrt_tag, ExactKernel, CGAL::Integral_domain_without_division_tag>;
 using Graph = CGAL::Segment_Delaunay_graph_2<Traits>;
 
 double distanceTo(const Graph::Site_2& site, double x, double y) {
@@ -45,15 +43,6 @@ SegmentVoronoi::~SegmentVoronoi() = default;
 double SegmentVoronoi::distance(double x, double y) const {
   const auto vertex = inside_->graph.nearest_neighbor(Traits::Point_2(x, y));
   return distanceTo(vertex->site(), x, y);
-}
-
-std::vector<std::array<double, 3>> SegmentVoronoi::centres() const {
-  std::vector<std::array<double, 3>> centres;
-  for (auto face = inside_->graph.finite_faces_begin(); face != inside_->graph.finite_faces_end(); ++face) {
-    const auto centre = inside_->graph.primal(face);
-    centres.push_back({centre.x(), centre.y(), distanceTo(face->vertex(0)->site(), centre.x(), centre.y())});
-  }
-  return centres;
 }
 
 }  // namespace footfall::reference

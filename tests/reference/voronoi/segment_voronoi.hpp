@@ -6,7 +6,6 @@
 #include <array>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace footfall::reference {
 
@@ -22,8 +21,6 @@ class SegmentVoronoi {
 
   /// The distance to the nearest segment or end, which is chosen exactly.
   [[nodiscard]] double distance(double x, double y) const;
-  /// All centres at which three or more sites are equally near, with their distances, rounded: x, y, distance.
-  [[nodiscard]] std::vector<std::array<double, 3>> centres() const;
 
  private:
   struct Inside;

@@ -31,26 +31,12 @@ NavigationMesh withSteps(const Soup& soup) {
       runFilters(soup.environment(), minimalPipeline(0.5, 60) + "\nStepFilter 0.4 0.3\nLayerSubdivisionFilter"));
 }
 
-/// Bits for each side of each triangle: 1, 2 or both.
-std::vector<std::uint8_t> anyKinds(const NavigationMesh& mesh, Random& random) {
-  std::vector<std::uint8_t> kinds(3 * mesh.triangles.size());
-  for (auto& kind : kinds) kind = static_cast<std::uint8_t>(1 + random() % 3);
-  return kinds;
-}
-
-std::vector<std::uint8_t> counted(const std::vector<std::uint8_t>& kinds, std::uint8_t wanted) {
-  std::vector<std::uint8_t> counts;
-  for (const std::uint8_t kind : kinds) counts.push_back(static_cast<std::uint8_t>((kind & wanted) != 0 ? 1 : 0));
-  return counts;
-}
-
 /// Compares with the exact distances at places in the faces; returns how many.
-int compareExactly(const NavigationMesh& mesh, const FieldOptions& options, std::span<const std::uint8_t> counts,
-                   Random& random, int places) {
+int compareExactly(const NavigationMesh& mesh, const FieldOptions& options, Random& random, int places) {
   const ClearanceField field(mesh, options);
   const NavigationMesh bridged = withBridges(mesh);
   const SurfaceTopology topology = makeSurfaceTopology(bridged);
-  reference::SeenBorder<mpq_class> seen(bridged, topology, counts);
+  reference::SeenBorder<mpq_class> seen(bridged, topology);
   const double tolerance = 0x1p-38 * field.surface().scale;
   int compared = 0;
   for (std::uint32_t t = 0; t < bridged.triangles.size(); ++t) {
@@ -135,7 +121,6 @@ class TestClearanceField : public QObject {
   void isExactOnWalks();
   void isExactOnGrids();
   void isExactUpToABound();
-  void isExactForOneKindOfBorder();
   void isRightOnSamples_data();
   void isRightOnSamples();
   void isTheSameForAllThreads();
@@ -146,7 +131,7 @@ class TestClearanceField : public QObject {
 void TestClearanceField::isExactOnBuildings() {
   QVERIFY(check("exact distances in buildings", 40, [] {
     Random random(*rc::gen::arbitrary<std::uint32_t>());
-    compareExactly(withSteps(buildingOf(*buildingParts(10))), {}, {}, random, 4);
+    compareExactly(withSteps(buildingOf(*buildingParts(10))), {}, random, 4);
   }));
 }
 
@@ -154,14 +139,14 @@ void TestClearanceField::isExactOnWalks() {
   QVERIFY(check("exact distances on walks over themselves", 30, [] {
     Random random(*rc::gen::arbitrary<std::uint32_t>());
     const auto steps = *upTo<int>(40, below(64));
-    compareExactly(withSteps(walkOf(steps)), {}, {}, random, 3);
+    compareExactly(withSteps(walkOf(steps)), {}, random, 3);
   }));
 }
 
 void TestClearanceField::isExactOnGrids() {
   QVERIFY(check("exact distances in triangles on a small grid", 40, [] {
     Random random(*rc::gen::arbitrary<std::uint32_t>());
-    compareExactly(withSteps(soupOf(*gridTriangles(12, 5, 3))), {}, {}, random, 4);
+    compareExactly(withSteps(soupOf(*gridTriangles(12, 5, 3))), {}, random, 4);
   }));
 }
 
@@ -170,21 +155,7 @@ void TestClearanceField::isExactUpToABound() {
     Random random(*rc::gen::arbitrary<std::uint32_t>());
     FieldOptions options;
     options.bound = 0.125 * (1 + *below(12));
-    compareExactly(withSteps(buildingOf(*buildingParts(10))), options, {}, random, 4);
-  }));
-}
-
-void TestClearanceField::isExactForOneKindOfBorder() {
-  QVERIFY(check("exact distances to one kind of border", 30, [] {
-    Random random(*rc::gen::arbitrary<std::uint32_t>());
-    const NavigationMesh mesh = withSteps(buildingOf(*buildingParts(8)));
-    const auto kinds = anyKinds(mesh, random);
-    FieldOptions options;
-    options.kinds = kinds;
-    for (const int wanted : {1, 2, 3}) {
-      options.wanted = static_cast<std::uint8_t>(wanted);
-      compareExactly(mesh, options, counted(kinds, options.wanted), random, 3);
-    }
+    compareExactly(withSteps(buildingOf(*buildingParts(10))), options, random, 4);
   }));
 }
 

@@ -78,6 +78,13 @@ Soup circle(int count) {
   return soup;
 }
 
+/// The tops of pillars are walkable as well, and lie over the ground in the plan.
+bool isGround(const NavigationMesh& mesh, std::uint32_t triangle) {
+  for (const std::uint32_t v : mesh.triangles[triangle])
+    if (mesh.vertices[v].z != 0) return false;
+  return true;
+}
+
 void compare(const Soup& soup, Random& random, int places) {
   const NavigationMesh mesh = navigationMesh(runFilters(soup.environment(), minimalPipeline(2)));
   const ClearanceField field(mesh);
@@ -85,13 +92,14 @@ void compare(const Soup& soup, Random& random, int places) {
   std::vector<reference::PlanSegment> borders;
   for (const FieldEdge& edge : surface.edges) {
     if (!edge.isBorder()) continue;
+    if (!isGround(mesh, edge.faces[0])) continue;
     const auto& face = mesh.triangles[edge.faces[0]];
     const Vec3 &a = mesh.vertices[face[edge.sides[0]]], &b = mesh.vertices[face[(edge.sides[0] + 1) % 3]];
     borders.push_back({{{a.x, a.y}, {b.x, b.y}}});
   }
   const reference::SegmentVoronoi voronoi(borders);
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < places && isGround(mesh, t); ++i) {
       double u = uniform(random, 0, 1), v = uniform(random, 0, 1);
       if (u + v > 1) u = 1 - u, v = 1 - v;
       const Vec3 &a = mesh.vertices[mesh.triangles[t][0]], &b = mesh.vertices[mesh.triangles[t][1]],
@@ -111,25 +119,25 @@ class TestClearanceVoronoi : public QObject {
  private slots:
   void polygonsWithHoles() {
     Random random(seed());
-    for (int i = 0; i < rounds(12); ++i) compare(pillars(random, 3 + i, false), random, 8);
+    for (int i = 0; i < rounds(4); ++i) compare(pillars(random, 3 + i, false), random, 1);
   }
   void floorPlans() {
     Random random(seed());
-    for (int i = 0; i < rounds(12); ++i) compare(pillars(random, 3 + i, true), random, 8);
+    for (int i = 0; i < rounds(5); ++i) compare(pillars(random, 3 + i, true), random, 2);
   }
   void needlesInAllDirections() {
     Random random(seed());
-    for (int i = 0; i < rounds(8); ++i) compare(needles(random, 4 + i), random, 8);
+    for (int i = 0; i < rounds(3); ++i) compare(needles(random, 4 + i), random, 1);
   }
   void cornersOnOneCircle() {
     Random random(seed());
-    for (const int count : {4, 6, 8, 12, 16}) compare(circle(count), random, 8);
+    for (const int count : {4, 8}) compare(circle(count), random, 1);
   }
   void parallelWalls() {
     Random random(seed());
     Soup soup = Soup().floor(0, 0, 16, 16, 0);
     for (int i = 0; i < 7; ++i) soup.box({2.0 * i + 1, 1, -0.5}, {2.0 * i + 2, 15.0 - i % 2, 1});
-    compare(soup, random, 20);
+    compare(soup, random, 4);
   }
 };
 

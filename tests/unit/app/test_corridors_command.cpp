@@ -1,0 +1,76 @@
+// `footfall corridors`, run as a user does.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+#include "footfall/corridor_map.hpp"
+#include "tests/unit/environment_files.hpp"
+#include "tests/unit/program_run.hpp"
+
+using namespace footfall::test;
+
+namespace {
+
+// Y up: two rooms of 4 by 4 at height 1, with a passage between them that is 1 wide and 2 long.
+const QByteArray kRooms =
+    "v 0 1 0\nv 4 1 0\nv 4 1 -4\nv 0 1 -4\nf 1 2 3 4\n"
+    "v 4 1 -1.5\nv 6 1 -1.5\nv 6 1 -2.5\nv 4 1 -2.5\nf 5 6 7 8\n"
+    "v 6 1 0\nv 10 1 0\nv 10 1 -4\nv 6 1 -4\nf 9 10 11 12\n";
+
+QStringList corridors(const std::string& file, const QStringList& rest) {
+  return QStringList{"corridors", QString::fromStdString(file), "--up", "y", "--scale", "1"} + rest;
+}
+
+}  // namespace
+
+class TestCorridorsCommand : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void listsBottlenecks() {
+    const TemporaryFolder folder;
+    const Outcome outcome = runProgram(corridors(folder.write("rooms.obj", kRooms), {}));
+    QCOMPARE(outcome.err, QByteArray());
+    QCOMPARE(outcome.exitCode, 0);
+    QVERIFY2(outcome.out.contains("; 1 bottleneck\nwidth 1 at 5 1 -2, from "), outcome.out.constData());
+    QVERIFY2(outcome.out.contains("; the only way between areas of 17 and 17\n"), outcome.out.constData());
+  }
+
+  void leavesOutWhatIsWide() {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", kRooms);
+    QVERIFY(runProgram(corridors(file, {"--narrower-than", "1"})).out.contains("; 0 bottlenecks narrower than 1\n"));
+    QVERIFY(runProgram(corridors(file, {"--narrower-than", "1.5"})).out.contains("; 1 bottleneck narrower than 1.5\n"));
+  }
+
+  void writesFiles() {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", kRooms), map = folder.path("map.json");
+    QCOMPARE(runProgram(corridors(file, {"-o", QString::fromStdString(map)})).exitCode, 0);
+    const std::string text = readAll(map).toStdString();
+    QCOMPARE(formatCorridorsJson(footfall::parseCorridorsJson(text, map)), text);
+    const std::string lines = folder.path("map.geojson");
+    QCOMPARE(runProgram(corridors(file, {"--full", "-o", QString::fromStdString(lines)})).exitCode, 0);
+    const QJsonObject json = QJsonDocument::fromJson(readAll(lines)).object();
+    QCOMPARE(json["type"].toString(), QString("FeatureCollection"));
+    QCOMPARE(json["features"].toArray().last().toObject()["properties"].toObject()["width"].toDouble(), 1.0);
+  }
+
+  void refusesWhatMeansNothing() {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", kRooms);
+    const auto refused = [&](const QStringList& rest) {
+      const Outcome outcome = runProgram(corridors(file, rest));
+      return outcome.exitCode == 2 ? outcome.err : QByteArray();
+    };
+    QVERIFY(refused({"--narrower-than", "-1"}).contains("--narrower-than"));
+    QVERIFY(refused({"--narrower-than", "nan"}).contains("--narrower-than"));
+    QVERIFY(refused({"-o", QString::fromStdString(folder.path("map.obj"))}).contains("map.obj"));
+    QCOMPARE(readAll(file), kRooms);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCorridorsCommand)
+#include "test_corridors_command.moc"
