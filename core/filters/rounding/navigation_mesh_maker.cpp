@@ -262,7 +262,7 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const WalkableState& st
   result->frame = state.environment->frame();
   if (!mesh.links.empty())
     result->links = roundLinks(mesh.links, places, settled.moved, bordersOf(settled.topology, order), *result);
-  result->drops = roundDrops(state, places, settled.moved, *result);
+  result->drops = roundDrops(state, places, settled.moved, *result, Poll(context));
   return result;
 }
 

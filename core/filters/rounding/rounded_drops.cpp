@@ -73,7 +73,8 @@ Vec3 unscaled(const std::array<double, 3>& p, int scale) {
 }  // namespace
 
 std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<Vec3>& places,
-                                 const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product) {
+                                 const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product,
+                                 Poll poll) {
   std::vector<DropLink> result;
   const WalkableMesh& mesh = *state.mesh;
   if (mesh.drops.empty()) return result;
@@ -90,6 +91,7 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
     return now == movedTo.end() ? place : now->second;
   };
   for (const MeshDrop& drop : mesh.drops) {
+    poll();  // finding the triangle of a landing takes as long as its face has triangles
     auto side = known.side(placeOf(places[drop.edge[0]]), placeOf(places[drop.edge[1]]));
     if (!side) side = known.side(placeNow(drop.edge[0]), placeNow(drop.edge[1]));
     if (!side) continue;
