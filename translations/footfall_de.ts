@@ -3200,7 +3200,7 @@
     </message>
     <message>
         <source>needs Vertical clearance before it</source>
-        <translation>braucht davor die lichte Höhe</translation>
+        <translation>braucht davor die Durchgangshöhe</translation>
     </message>
     <message>
         <source>the parallel block has an end already</source>

@@ -30,7 +30,7 @@ source "${repository}/tests/bench/tables.sh"
 
 began="${SECONDS}"
 step() { echo "thesis.sh: $((SECONDS - began)) s: $*" >&2; }
-echo "thesis.sh: this takes about TIME on two processors; the page will be ${build}/thesis.html" >&2
+echo "thesis.sh: this takes about 10 minutes on two idle processors (estimated); the page will be ${build}/thesis.html" >&2
 
 step "5.4 to 5.6: strategies, listings, correctness, scaling"
 arguments=("$@" --samples --json "${scratch}/thesis.json" --markdown "${scratch}/thesis.md")

@@ -138,7 +138,7 @@ class ThesisReport {
         equal += entry["bytes_equal"].get<bool>() ? 1 : 0;
         if (!entry["bytes_equal"].get<bool>()) notes += label + " gives **other bytes** than the first row. ";
       }
-      if (entry.contains("reason") && !entry["reason"].get<std::string>().empty())
+      if (entry["strategy"] == "AutoStrategy" && entry.contains("reason"))
         notes += label + ": " + entry["reason"].get<std::string>() + ' ';
     }
     notes += std::to_string(equal) + " of " + std::to_string(compared) +

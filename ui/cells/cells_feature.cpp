@@ -145,6 +145,7 @@ void CellsFeature::connectMeasurement(MessageBar& messages) {
   connect(&threads_, &RunThreads::changed, &measurement_, &LoadMeasurement::clear);
   for (const auto& signal : {&RunController::started, &RunController::finished, &RunController::cancelled})
     connect(&controller_, signal, this, &CellsFeature::describeObstacle);
+  connect(&controller_, &RunController::failed, this, &CellsFeature::describeObstacle);
   connect(&places_, &RunPlaces::changed, this, &CellsFeature::describeObstacle);
   describeObstacle();
 }

@@ -24,12 +24,11 @@ QString swatch(const QColor& colour) {
   return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
 }
 
-// Two columns.
-QString tableOf(std::span<const PhaseTime> phases) {
+QString tableOf(std::span<const PhaseTime> phases, std::size_t columns = 2) {
   QString text = QStringLiteral("<table width='100%' cellspacing=0 cellpadding=0>");
-  for (std::size_t i = 0; i < phases.size(); i += 2) {
+  for (std::size_t i = 0; i < phases.size(); i += columns) {
     text += QStringLiteral("<tr>");
-    for (std::size_t k = i; k < std::min(i + 2, phases.size()); ++k)
+    for (std::size_t k = i; k < std::min(i + columns, phases.size()); ++k)
       text += QStringLiteral("<td>%1%2&nbsp;</td><td align='right'>%3&nbsp;&nbsp;&nbsp;</td>")
                   .arg(swatch(phases[k].colour), phases[k].name.toHtmlEscaped(), durationText(phases[k].milliseconds));
     text += QStringLiteral("</tr>");
@@ -277,7 +276,7 @@ void LoadPanel::showTimeUse(const CellBlock& block) {
   if (!known) return;
   const TimeUse use = timeUse(timeline_->timeline());
   use_->show(use);
-  useTexts_->setText(tableOf(timesOf(use)));
+  useTexts_->setText(tableOf(timesOf(use), 1));
   use_->setToolTip(
       tr("The time of all threads from the beginning of the run to its end: %1").arg(durationText(use.total())));
 }

@@ -111,7 +111,9 @@ TimeUse timeUse(const Timeline& timeline) {
   for (const Timeline::Serial& part : timeline.serial) {
     const double whole = lanes * (part.end - part.start);
     const double busy = std::min(whole, part.threads * (part.end - part.start));
-    const double others = std::min(timeline.processors.waitedMs(part.start, part.end), whole - busy);
+    // Other threads of the program wait for processors, too: only what the one at work has lost counts.
+    const double lost = std::max(0.0, part.end - part.start - busy);
+    const double others = std::min(timeline.processors.waitedMs(part.start, part.end), lost);
     use.steps += busy;
     use.otherPrograms += others;
     use.waitingForStep += whole - busy - others;
@@ -121,7 +123,8 @@ TimeUse timeUse(const Timeline& timeline) {
     double busy = 0;
     for (const Timeline::Bar& bar : timeline.bars)
       busy += std::max(0.0, std::min(bar.end, band.end) - std::max(bar.start, band.start));
-    const double others = std::min(timeline.processors.waitedMs(band.start, band.end), busy);
+    const double lost = std::max(0.0, busy - timeline.processors.cpuMs(band.start, band.end));
+    const double others = std::min(timeline.processors.waitedMs(band.start, band.end), lost);
     use.cells += busy - others;
     use.otherPrograms += others;
     use.waitingForWork += std::max(0.0, lanes * (band.end - band.start) - busy);

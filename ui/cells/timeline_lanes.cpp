@@ -187,7 +187,9 @@ void TimelineLanes::drawOthers(QCPPainter* painter) const {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     const double length = samples[i].atMs - samples[i - 1].atMs;
     if (length <= 0) continue;
-    const double waiting = (samples[i].waitedMs - samples[i - 1].waitedMs) / length / std::max(1, timeline_.lanes);
+    const double lanes = std::max(1, timeline_.lanes);
+    const double free = std::max(0.0, lanes - (samples[i].cpuMs - samples[i - 1].cpuMs) / length);
+    const double waiting = std::min(free, (samples[i].waitedMs - samples[i - 1].waitedMs) / length) / lanes;
     painter->fillRect(
         place(timeline_.lanes, samples[i - 1].atMs, samples[i].atMs, 1 - std::clamp(waiting, 0.0, 1.0), 1),
         toColour(kVermilion));

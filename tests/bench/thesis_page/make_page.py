@@ -135,7 +135,7 @@ class Page:
                 self.add(
                     line_plot(
                         f"{environment['name']}: {title}", "threads", title, lines, x_base=2, limit=processors,
-                        limit_text=f"more threads than the {processors} processors: they take turns",
+                        limit_text=f"this machine has {processors} processors; here, threads take turns",
                     )
                 )
 

@@ -50,7 +50,8 @@ class Axis:
 def line_plot(title, x_title, y_title, lines, x_base=10, y_log=False, limit=None, limit_text=""):
     """An SVG with one polyline for each of `lines`: (label, points, colour number, style).
 
-    `style` is "line", "dashed" or "dots". Right of `limit` on the x axis the plot is grey, and says `limit_text`.
+    `style` is "line", "dashed" or "dots". Right of `limit` on the x axis the plot is grey, and says `limit_text`, a line for each part
+    that ends in "; ".
     """
     width, height, left, right, top, bottom = 560, 360, 60, 190, 34, 44
     points = [p for _, line, _, _ in lines for p in line]
@@ -68,8 +69,10 @@ def line_plot(title, x_title, y_title, lines, x_base=10, y_log=False, limit=None
         x = x_axis.place(limit)
         out.append(
             f'<rect x="{x:.1f}" y="{top}" width="{width - right - x:.1f}" height="{height - bottom - top}" '
-            f'fill="#e4e4e4"/><text x="{x + 4:.1f}" y="{top + 12}" font-size="10">{html.escape(limit_text)}</text>'
+            'fill="#e4e4e4"/>'
         )
+        for i, words in enumerate(limit_text.split("; ")):
+            out.append(f'<text x="{x + 4:.1f}" y="{top + 12 + 13 * i}" font-size="10">{html.escape(words)}</text>')
     for tick in x_axis.ticks:
         x = x_axis.place(tick)
         out.append(f'<path d="M{x:.1f} {top}V{height - bottom}" stroke="#d0d0d0"/>')

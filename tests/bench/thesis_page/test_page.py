@@ -31,8 +31,8 @@ class TestPage(unittest.TestCase):
         self.assertIn("<code>code</code>", text)
 
     def test_plots_say_where_processors_end(self):
-        plot = line_plot("t", "threads", "S", [("one", [(1, 1), (32, 2)], 0, "line")], 2, False, 2, "they take turns")
-        self.assertIn("they take turns", plot)
+        plot = line_plot("t", "threads", "S", [("one", [(1, 1), (32, 2)], 0, "line")], 2, False, 2, "two; they take turns")
+        self.assertIn(">they take turns<", plot)
         self.assertIn(">32<", plot)
         without = line_plot("t", "threads", "S", [("one", [(1, 1), (2, 2)], 0, "line")], 2, False, 2, "they take turns")
         self.assertNotIn("they take turns", without)

@@ -215,7 +215,7 @@ class TestParameterCheck : public QObject {
   }
 
   void scalesThatCannotBe() {
-    const auto level = Soup().floor(0, 0, 1280, 544, 0).wall(0, 0, 1280, 0, 0, 30).environment();
+    const auto level = Soup().floor(0, 0, 1280, 544, 0).wall(0, 0, 1280, 0, 0, 300).environment();
     level->scaleGuessed = false;
     QCOMPARE(notesOf(*level, "SlopeFilter 45\n"), QString());  // somebody has said so
     level->scaleGuessed = true;
