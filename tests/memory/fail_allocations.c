@@ -1,6 +1,6 @@
 /* Loaded by LD_PRELOAD: allocations of 4 kB and more fail from a chosen one on, as when memory runs out.
- * FOOTFALL_FAIL_FROM=N: the first of these that fails, counted from 0. FOOTFALL_COUNT_TO=FILE: writes how many there were.
- * SPDX-License-Identifier: GPL-3.0-or-later */
+ * FOOTFALL_FAIL_FROM=N: the first that fails, counted from 0. FOOTFALL_COUNT_TO=FILE: writes how many there were. */
+/* SPDX-License-Identifier: GPL-3.0-or-later */
 #define _GNU_SOURCE
 #include <errno.h>
 #include <stddef.h>
