@@ -70,20 +70,20 @@ struct Collapse {
   Index from = -1, to = -1;
 };
 
-/// The corner opposite the longest side goes to the nearer end of that side; a source vertex never goes.
+/// The corner opposite the longest side goes to the nearer of the other two; where it is a source vertex, which never
+/// goes, the first corner that is none goes instead. Nothing where all are source vertices, which rounding never moved.
 Collapse collapseOf(const RoundedCut& cut, const CutTriangle& t, std::size_t sources) {
   const Corners c = cornersOf(cut, t);
-  std::size_t longest = 0;
   std::array<double, 3> lengths{};
-  for (std::size_t k = 0; k < 3; ++k) {
-    lengths[k] = length(c[(k + 1) % 3] - c[k]);
-    if (lengths[k] > lengths[longest]) longest = k;
+  for (std::size_t k = 0; k < 3; ++k) lengths[k] = length(c[(k + 1) % 3] - c[k]);
+  const auto longest = static_cast<std::size_t>(std::ranges::max_element(lengths) - lengths.begin());
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t from = (longest + 2 + i) % 3;
+    if (static_cast<std::size_t>(t.corners[from]) < sources) continue;
+    const std::size_t next = (from + 1) % 3, last = (from + 2) % 3;
+    return {t.corners[from], lengths[last] <= lengths[from] ? t.corners[last] : t.corners[next]};
   }
-  const std::size_t opposite = (longest + 2) % 3;
-  const std::size_t nearer = lengths[opposite] <= lengths[(longest + 1) % 3] ? longest : (longest + 1) % 3;
-  Collapse collapse{t.corners[opposite], t.corners[nearer]};
-  if (static_cast<std::size_t>(collapse.from) < sources) std::swap(collapse.from, collapse.to);
-  return collapse;
+  return {};
 }
 
 Index lastOf(std::vector<Index>& becomes, Index v) {
@@ -99,7 +99,9 @@ Index lastOf(std::vector<Index>& becomes, Index v) {
 
 int turnOf(const SourceMesh& mesh, Index source, const std::array<Vec3, 3>& corners) {
   const Corners whole = sourceCorners(mesh, source);
-  const int axis = mainAxis(whole);
+  // Doubles may choose an axis along which a needle has no area at all.
+  int axis = mainAxis(whole);
+  for (int i = 0; i < 3 && facingAlong(whole, axis) == 0; ++i) axis = (axis + 1) % 3;
   const int turn = facingAlong(corners, axis);
   return facingAlong(whole, axis) < 0 ? -turn : turn;
 }
@@ -154,7 +156,7 @@ void repairCut(const SourceMesh& mesh, RoundedCut& rounded) {
       if (mesh.degenerate[static_cast<std::size_t>(t.source)] != 0 || hasRepeatedCorner(now)) continue;
       if (turnOf(mesh, t.source, cornersOf(rounded, now)) >= 0) continue;
       const Collapse collapse = collapseOf(rounded, now, sources);
-      if (static_cast<std::size_t>(collapse.from) < sources) continue;  // the file's own, which rounding never moved
+      if (collapse.from < 0) continue;
       becomes[static_cast<std::size_t>(collapse.from)] = collapse.to;
       again = true;
     }
@@ -164,8 +166,7 @@ void repairCut(const SourceMesh& mesh, RoundedCut& rounded) {
   }
   std::erase_if(rounded.triangles, [&](const CutTriangle& t) {
     if (mesh.degenerate[static_cast<std::size_t>(t.source)] != 0) return false;
-    const Corners c = cornersOf(rounded, t);
-    return isDegenerate(c[0], c[1], c[2]);
+    return turnOf(mesh, t.source, cornersOf(rounded, t)) <= 0;  // also those that stand upright on their plane
   });
 }
 
