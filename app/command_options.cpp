@@ -3,7 +3,6 @@
 
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
@@ -29,10 +28,10 @@ void EnvironmentOptions::addFileTo(CLI::App& command) {
           "Round coordinates to a grid: auto (files of floats, such as glTF and FBX), on, off, or a step in units "
           "of the file; auto when left out")
       ->type_name("auto|on|off|STEP");
-  command.add_flag_callback(
-      "--no-import-limits", [] { ::setenv("FOOTFALL_IMPORT_LIMITS", "off", 1); },
-      "Let the reading of other formats than OBJ take what time and memory it wants; usually it ends where that "
-      "takes far more than files of that size need");
+  command.add_flag(
+      "--no-import-limits", withoutImportLimits,
+      "Read glTF, FBX and other formats without limits; usually reading ends where it takes far more time or "
+      "memory than files of that size need");
 }
 
 void EnvironmentOptions::addTo(CLI::App& command) {
@@ -54,6 +53,7 @@ ImportOptions EnvironmentOptions::import() const {
   if (metresPerUnit && !(std::isfinite(*metresPerUnit) && *metresPerUnit > 0))
     throw InputError("--scale: must be the metres in one unit of the file; give a number above 0");
   ImportOptions options{upAxisFrom(up), metresPerUnit, bothSides};
+  options.limitReaders = !withoutImportLimits;
   if (grid == "on") {
     options.grid = GridChoice::On;
   } else if (grid == "off") {

@@ -22,8 +22,8 @@ struct EnvironmentOptions {
   std::string up;  ///< a name of nameOf(UpAxis), or empty
   std::optional<double> metresPerUnit;
   bool bothSides = false;
-  std::string grid;                                         ///< auto, on, off, or a step; empty: auto
-  bool limits = true;                                       ///< of time and memory for reading other formats
+  std::string grid;  ///< auto, on, off, or a step; empty: auto
+  bool withoutImportLimits = false;
   std::vector<std::string> ignored, obstacleOnly, asUsual;  ///< meshes, materials or MESH/MATERIAL
 
   void addTo(CLI::App& command);

@@ -72,6 +72,7 @@ footfall_status footfall_load(const char* path, const footfall_import_options* o
       import.bothSides = options->both_sides != 0;
       import.grid = gridChoiceOf(options->grid);
       import.gridStep = options->grid_step;
+      import.limitReaders = options->no_limits == 0;
     }
     *environment =
         new footfall_environment{std::make_shared<const Environment>(load(path, import, contextOf(context)))};

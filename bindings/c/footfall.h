@@ -133,6 +133,7 @@ typedef struct footfall_import_options {
   int both_sides;         /* not 0: both sides of every triangle are its upper side */
   footfall_grid grid;     /* which coordinates are rounded to a grid (docs/explanation/coordinates.md) */
   double grid_step;       /* of FOOTFALL_GRID_STEP, in units of the file */
+  int no_limits;          /* not 0: foreign formats are read without limits of time and memory */
 } footfall_import_options;
 
 /* Reads OBJ at double precision, and glTF, FBX, DAE, PLY, STL and others at single precision. `options` (NULL: all

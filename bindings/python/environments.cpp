@@ -47,9 +47,10 @@ void setGrid(const std::variant<double, std::string>& grid, ImportOptions& optio
 
 SharedEnvironment loadFile(const std::filesystem::path& path, const std::optional<std::string>& up,
                            std::optional<double> metresPerUnit, bool bothSides,
-                           const std::variant<double, std::string>& grid) {
+                           const std::variant<double, std::string>& grid, bool limits) {
   ImportOptions options{upAxisFrom(up), metresPerUnit, bothSides};
   setGrid(grid, options);
+  options.limitReaders = limits;
   return interruptible(py::none(), [&](RunContext& context) {
     return std::make_shared<const Environment>(load(path.string(), options, &context));
   });
@@ -224,8 +225,8 @@ Parts of a file are found by `part_of`, as in level.with_roles(ignored=level.par
   define(
       module, "load",
       [](const std::filesystem::path& path, const std::optional<std::string>& up, std::optional<double> metresPerUnit,
-         bool bothSides, const std::variant<double, std::string>& grid) {
-        return held(loadFile(path, up, metresPerUnit, bothSides, grid));
+         bool bothSides, const std::variant<double, std::string>& grid, bool limits) {
+        return held(loadFile(path, up, metresPerUnit, bothSides, grid, limits));
       },
       R"(Read an environment from a file (OBJ at double precision; glTF, PLY, STL, COLLADA, IFC and what else Assimp
 reads: `importable_extensions()`) and return an `Environment`.
@@ -234,10 +235,11 @@ up: the file's up axis ("z", "y", "x", "-z", "-y", "-x"); None: as the format ha
 metres_per_unit: None: as the format has it.
 both_sides: take both sides of each triangle as its front.
 grid: round coordinates to a grid: "auto" (files of floats, such as glTF), "on", "off", or a step in units of the file.
+limits: end reading a foreign format where it takes far more time or memory than files of that size need.
 
 Raises InputError, also for a file that is missing.)",
       py::arg("path"), py::kw_only(), py::arg("up") = py::none(), py::arg("metres_per_unit") = py::none(),
-      py::arg("both_sides") = false, py::arg("grid") = "auto");
+      py::arg("both_sides") = false, py::arg("grid") = "auto", py::arg("limits") = true);
   define(module, "importable_extensions", &importableExtensions,
          "Return the file name extensions that `load` reads: a list of str, lower case, without the dot.");
 

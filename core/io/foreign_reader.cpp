@@ -112,8 +112,6 @@ ChildLimits importLimits(std::uint64_t bytes) {
 }
 
 ChildLimits importLimitsFor(const std::string& path) {
-  const char* limits = std::getenv("FOOTFALL_IMPORT_LIMITS");
-  if (limits != nullptr && std::string_view(limits) == "off") return {};
   std::error_code error;
   std::uint64_t bytes = InputFile(path).size();
   const std::string extension = lowerExtension(path);

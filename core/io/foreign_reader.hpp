@@ -24,8 +24,7 @@ std::optional<std::string> findImportProgram();
 /// What reading a file of so many bytes, companions included, may take: a minute and 20 seconds for each MiB; 1 GiB and
 /// 200 bytes for each byte, and no more than four fifths of the machine's memory.
 ChildLimits importLimits(std::uint64_t bytes);
-/// Those for `path` with the buffers that a glTF file names; none where the environment variable FOOTFALL_IMPORT_LIMITS
-/// is "off".
+/// Those for `path` with the buffers that a glTF file names.
 ChildLimits importLimitsFor(const std::string& path);
 
 /// How a format is called in messages: "glTF", "COLLADA", "IFC".

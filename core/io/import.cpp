@@ -109,7 +109,7 @@ Environment readFile(const std::string& path, const ImportOptions& options, bool
                 FOOTFALL_TEXT("use OBJ, glTF, FBX, DAE, PLY, STL, 3DS or another format that Assimp reads"));
     }
     if (!readPlain(path, extension, environment, frame, context)) {
-      const ChildLimits limits = importLimitsFor(path);
+      const ChildLimits limits = options.limitReaders ? importLimitsFor(path) : ChildLimits{};
       frame = extension == "ifc" ? readIfc(path, environment, limits, context)
                                  : readForeign(path, environment, limits, context);
     }

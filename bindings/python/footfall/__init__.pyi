@@ -431,6 +431,7 @@ def load(
     metres_per_unit: Optional[float] = None,
     both_sides: bool = False,
     grid: Union[float, str] = "auto",
+    limits: bool = True,
 ) -> Environment: ...
 def importable_extensions() -> list[str]: ...
 def plot(

@@ -22,7 +22,7 @@ enum class GridChoice : std::uint8_t {
   Step   ///< all files, to ImportOptions::gridStep
 };
 
-/// What the user may say about a file; what is left empty is guessed from the format and reported.
+/// The user's statements about a file; empty ones are guessed from the format and reported.
 struct ImportOptions {
   std::optional<UpAxis> up;
   /// Metres per unit of the file. Coordinates are never multiplied with it: it turns metres into the environment's
@@ -37,6 +37,9 @@ struct ImportOptions {
   /// of the usual step while the usual one is at most four times smaller or larger, so that a file that is saved again
   /// and read again keeps its vertices.
   double keptGridStep = 0;
+  /// The process that reads other formats than OBJ, PLY and STL ends where it takes far more time or memory than files
+  /// of that size need (docs/reference/formats.md).
+  bool limitReaders = true;
 };
 
 /// The grid on which import put the coordinates of an environment, and what that changed.
