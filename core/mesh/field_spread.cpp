@@ -6,7 +6,7 @@
 #include <numbers>
 #include <tuple>
 
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {

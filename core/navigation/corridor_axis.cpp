@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/navigation/axis_labels.hpp"
 #include "core/navigation/axis_vertex.hpp"

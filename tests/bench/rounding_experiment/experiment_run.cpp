@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
-#include "core/base/parallel_ranges.hpp"
+#include "core/base/parallel.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
 #include "core/filters/filter.hpp"
