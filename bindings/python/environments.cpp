@@ -225,9 +225,8 @@ Parts of a file are found by `part_of`, as in level.with_roles(ignored=level.par
   define(
       module, "load",
       [](const std::filesystem::path& path, const std::optional<std::string>& up, std::optional<double> metresPerUnit,
-         bool bothSides, const std::variant<double, std::string>& grid, bool limits) {
-        return held(loadFile(path, up, metresPerUnit, bothSides, grid, limits));
-      },
+         bool bothSides, const std::variant<double, std::string>& grid,
+         bool limits) { return held(loadFile(path, up, metresPerUnit, bothSides, grid, limits)); },
       R"(Read an environment from a file (OBJ at double precision; glTF, PLY, STL, COLLADA, IFC and what else Assimp
 reads: `importable_extensions()`) and return an `Environment`.
 

@@ -1,4 +1,4 @@
-// How far every place of a walkable mesh is from the border, computed once (docs/how-to/corridors.md, "The clearance field").
+// How far every place of a walkable mesh is from the border, computed once (docs/how-to/corridors.md).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
