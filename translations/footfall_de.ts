@@ -5507,8 +5507,8 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Raster von %1, um höchstens %2 verschoben</translation>
     </message>
     <message>
-        <source>%1 vertices welded</source>
-        <translation>%1 Eckpunkte verschweißt</translation>
+        <source>welded vertices: %1</source>
+        <translation>verschweißte Ecken: %1</translation>
     </message>
     <message>
         <source>Rounds coordinates to a fine grid. Automatic: for files that store floats, such as glTF and FBX; what should lie in one plane then does.</source>

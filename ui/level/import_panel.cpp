@@ -213,7 +213,7 @@ void ImportPanel::showGrid(const Environment& environment) {
           ? QString()
           : tr("Grid of %1, moved by at most %2").arg(shortText(grid.step, 3), shortText(grid.largestMovement, 2));
   if (grid.weldedVertices > 0)
-    gridText_ += QStringLiteral("; ") + tr("%1 vertices welded").arg(countText(grid.weldedVertices));
+    gridText_ += QStringLiteral("; ") + tr("welded vertices: %1").arg(countText(grid.weldedVertices));
 }
 
 void ImportPanel::showQuestion() {

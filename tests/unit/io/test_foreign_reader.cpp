@@ -169,7 +169,7 @@ class TestForeignReader : public QObject {
   void withoutTheProgramTheMessageSaysSo() {
     qputenv("FOOTFALL_IMPORT", "/nowhere/footfall-import");
     const TemporaryFolder folder;
-    const std::string path = folder.write("a.stl", readAll(dataFile("floor.stl")));
+    const std::string path = folder.write("a.3ds", readAll(dataFile("floor.3ds")));
     const QString message = messageOf<InputError>([&] { importEnvironment(path); });
     qunsetenv("FOOTFALL_IMPORT");
     QVERIFY2(message.contains("footfall-import") && message.contains("/nowhere"), qPrintable(message));
