@@ -48,7 +48,7 @@ struct GapPiece {
   std::array<std::vector<Index>, 2> touching;  ///< obstacles at each end that must be proven to lie beyond it
   bool isAsWide = false;                       ///< as wide as the gap may be, within rounding: must be proven not wider
   /// A place of the first border at a corner, where both run apart at a large angle, or in the middle of a piece of at
-  /// most kShortInGaps gaps: a link is needed only where it leads somewhere (removeNeedlessGaps()).
+  /// most kShortInGaps gaps: a link is needed only where it leads somewhere (NeedlessGaps).
   std::optional<Vec3> corner = {};
 };
 
@@ -57,6 +57,9 @@ class GapConditions {
   /// Doubles at the largest coordinate are so far apart; scaled.
   static constexpr double kUnit = 0x1p-17;
   static constexpr double kSlack = 512 * kUnit;
+  /// Places of two borders that are nearer along a gap are across from each other. Each is that near to where it is
+  /// due, so together they use up the slack, and no more.
+  static constexpr double kAcross = kSlack / 2;
   /// Places so near to each other are taken as one.
   static constexpr double kSnap = 128 * kUnit;
   /// Shorter borders have no direction, and are not linked over gaps.

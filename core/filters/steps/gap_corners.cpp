@@ -18,23 +18,10 @@ constexpr std::size_t kMostTriangles = 256;
 constexpr std::size_t kPolled = 1024;
 constexpr Index kEdgesPolled = 1 << 16;
 
-struct PlanSegment {
-  double fromX = 0, fromY = 0, toX = 0, toY = 0;
-  [[nodiscard]] bool isNear(const Vec3& place, double reach) const {
-    const double x = toX - fromX, y = toY - fromY, square = x * x + y * y;
-    const double px = place.x - fromX, py = place.y - fromY;
-    const double t = square > 0 ? std::clamp((px * x + py * y) / square, 0.0, 1.0) : 0;
-    const double dx = px - t * x, dy = py - t * y;
-    return dx * dx + dy * dy <= reach * reach;
-  }
-};
-PlanSegment between(const MeshVertex& a, const MeshVertex& b) { return {a.x, a.y, b.x, b.y}; }
-
 /// What hangs together about a place: the mesh with its steps, and its gaps that are needed anyway.
 class Neighbourhood {
  public:
-  Neighbourhood(const std::vector<GapStretch>& gaps, const std::vector<StepStretch>& steps, const BorderSplits& splits,
-                double reach, Poll poll)
+  Neighbourhood(const std::vector<StepStretch>& steps, const BorderSplits& splits, double reach, Poll poll)
       : splits_(splits),
         reach_(reach),
         borderAt_(3 * splits.mesh().triangles.size(), -1),
@@ -46,18 +33,16 @@ class Neighbourhood {
     findBeyond(poll);
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (i % kPolled == 0) poll();
-      add(steps[i].first, steps[i].second, between(steps[i].begin, steps[i].end));
-    }
-    for (std::size_t i = 0; i < gaps.size(); ++i) {
-      if (i % kPolled == 0) poll();
-      if (!gaps[i].piece.corner) add(gaps[i]);
+      const PlanSegment part = planSegment(steps[i].begin, steps[i].end);
+      add({steps[i].first, steps[i].second, {part, part}});
     }
   }
 
-  void add(const GapStretch& gap) {
-    addWay(gap.first, {partOf(gap.first, gap.piece), gap.second, -1});
-    addWay(gap.second, {partOf(gap.second, gap.piece), gap.first, -1});
+  void add(const GapWay& way) {
+    addWay(way.first, {way.parts[0], triangleOf(way.second), -1});
+    addWay(way.second, {way.parts[1], triangleOf(way.first), -1});
   }
+  void add(const GapStretch& gap) { add(gapWay(splits_, gap.first, gap.second, gap.piece.frame, gap.piece.ends)); }
 
   /// Searches from both sides take turns. Where one has seen all that hangs together with it, they are apart.
   [[nodiscard]] bool joins(const GapStretch& gap) {
@@ -79,16 +64,18 @@ class Neighbourhood {
       for (const std::size_t from : {0, 1}) {
         if (isMet) return true;
         if (i == reached_[from].size()) return false;
-        visitNeighbours(reached_[from][i], place, [&](Index triangle) { reach(from, triangle); });
+        const auto isNew = [&](Index triangle) { return stamps_[triangle] != 2 * search_ + from; };
+        visitNeighbours(reached_[from][i], place, isNew, [&](Index triangle) { reach(from, triangle); });
       }
     return isMet;
   }
 
  private:
-  /// Over a part of a border to another one.
+  /// Over a part of a border to a triangle.
   struct Way {
     PlanSegment part;
-    Index other = -1, next = -1;
+    Index other = -1;  ///< triangle
+    Index next = -1;
   };
 
   // For sides that are no borders.
@@ -110,36 +97,24 @@ class Neighbourhood {
     way.next = std::exchange(firstWay_[border], static_cast<Index>(ways_.size()));
     ways_.push_back(way);
   }
-  void add(Index first, Index second, const PlanSegment& part) {
-    addWay(first, {part, second, -1});
-    addWay(second, {part, first, -1});
-  }
-  /// Calls visit(triangle) for those on the other side of an edge, a step or a gap that is near a place.
-  template <class Visit>
-  void visitNeighbours(Index triangle, const Vec3& place, const Visit& visit) const {
+  /// Calls visit(triangle) for those on the other side of an edge, a step or a gap that is near a place, where
+  /// isNew(triangle) holds, which costs less than to look where the edge lies.
+  template <class IsNew, class Visit>
+  void visitNeighbours(Index triangle, const Vec3& place, const IsNew& isNew, const Visit& visit) const {
     const WalkableMesh& mesh = splits_.mesh();
     const auto& corners = mesh.triangles[triangle].corners;
     for (int k = 0; k < 3; ++k) {
       const Index side = 3 * triangle + k, border = borderAt_[side];
       if (border >= 0) {
         for (Index w = firstWay_[border]; w >= 0; w = ways_[w].next)
-          if (ways_[w].part.isNear(place, reach_)) visit(triangleOf(ways_[w].other));
-      } else if (beyond_[side] >= 0) {
+          if (isNew(ways_[w].other) && ways_[w].part.isNear(place, reach_)) visit(ways_[w].other);
+      } else if (beyond_[side] >= 0 && isNew(beyond_[side])) {
         const MeshVertex &a = mesh.vertices[corners[k]], &b = mesh.vertices[corners[next(k)]];
-        if (between(a, b).isNear(place, reach_)) visit(beyond_[side]);
+        if (planSegment(a, b).isNear(place, reach_)) visit(beyond_[side]);
       }
     }
   }
   [[nodiscard]] Index triangleOf(Index border) const { return splits_.border(border).side / 3; }
-  [[nodiscard]] PlanSegment partOf(Index number, const GapPiece& piece) const {
-    const MeshBorder& border = splits_.border(number);
-    const PlanSegment whole = between(splits_.vertex(border.from), splits_.vertex(border.to));
-    const double from = piece.frame.along(whole.fromX, whole.fromY), to = piece.frame.along(whole.toX, whole.toY);
-    const auto at = [&](double along) { return std::clamp((along - from) / (to - from), 0.0, 1.0); };
-    const double x = whole.toX - whole.fromX, y = whole.toY - whole.fromY;
-    const double low = at(piece.ends[0]), high = at(piece.ends[1]);
-    return {whole.fromX + low * x, whole.fromY + low * y, whole.fromX + high * x, whole.fromY + high * y};
-  }
 
   const BorderSplits& splits_;
   double reach_;
@@ -152,32 +127,85 @@ class Neighbourhood {
   std::vector<Way> ways_;
 };
 
+bool isOptional(const GapStretch& gap) { return gap.piece.corner.has_value(); }
+double lengthOf(const GapStretch& gap) { return gap.piece.ends[1] - gap.piece.ends[0]; }
+
+/// Puts numbers of gaps in the order in which they are needed: the longest first.
+void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretch>& gaps) {
+  std::stable_sort(numbers.begin(), numbers.end(),
+                   [&](std::size_t a, std::size_t b) { return lengthOf(gaps[a]) > lengthOf(gaps[b]); });
+}
+
+/// Moves the chosen gaps from one list to another one, in their order.
+void moveChosen(std::vector<GapStretch>& from, const std::vector<char>& isChosen, std::vector<GapStretch>& to) {
+  std::vector<GapStretch> kept;
+  for (std::size_t i = 0; i < from.size(); ++i) (isChosen[i] != 0 ? to : kept).push_back(std::move(from[i]));
+  from = std::move(kept);
+}
+
 }  // namespace
 
-std::size_t removeNeedlessGaps(std::vector<GapStretch>& gaps, const std::vector<StepStretch>& steps,
-                               const BorderSplits& splits, double gap, Poll poll) {
-  const auto isOptional = [](const GapStretch& stretch) { return stretch.piece.corner.has_value(); };
-  if (std::none_of(gaps.begin(), gaps.end(), isOptional)) return 0;
-  const double reach = std::ldexp(2 * gap, splits.kernel()->mesh().grid.scaleExponent());
-  Neighbourhood neighbourhood(gaps, steps, splits, reach, poll);
-  std::vector<std::size_t> corners;  // the longest first
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (isOptional(gaps[i])) corners.push_back(i);
-  const auto lengthOf = [&](std::size_t i) { return gaps[i].piece.ends[1] - gaps[i].piece.ends[0]; };
-  std::stable_sort(corners.begin(), corners.end(),
-                   [&](std::size_t a, std::size_t b) { return lengthOf(a) > lengthOf(b); });
+NeedlessGaps::NeedlessGaps(const BorderSplits& splits, double gap)
+    : splits_(splits), reach_(std::ldexp(2 * gap, splits.kernel()->mesh().grid.scaleExponent())) {}
+
+void NeedlessGaps::takeFrom(std::vector<GapStretch>& gaps, const std::vector<StepStretch>& steps, Poll poll) {
+  if (std::none_of(gaps.begin(), gaps.end(), isOptional)) return;
+  Neighbourhood neighbourhood(steps, splits_, reach_, poll);
+  std::vector<std::size_t> optional;
+  for (std::size_t i = 0; i < gaps.size(); ++i) {
+    if (i % kPolled == 0) poll();
+    if (isOptional(gaps[i]))
+      optional.push_back(i);
+    else
+      neighbourhood.add(gaps[i]);
+  }
+  sortByLength(optional, gaps);
   std::vector<char> isNeedless(gaps.size(), 0);
-  for (const std::size_t i : corners) {
+  for (const std::size_t i : optional) {
     poll();
     isNeedless[i] = neighbourhood.joins(gaps[i]) ? 1 : 0;
     if (isNeedless[i] == 0) neighbourhood.add(gaps[i]);
   }
-  std::vector<GapStretch> kept;
-  for (std::size_t i = 0; i < gaps.size(); ++i)
-    if (isNeedless[i] == 0) kept.push_back(std::move(gaps[i]));
-  const std::size_t removed = gaps.size() - kept.size();
-  gaps = std::move(kept);
-  return removed;
+  moveChosen(gaps, isNeedless, gaps_);
+}
+
+// Places are sorted by x, so that each part is compared with those in its range of x only.
+std::vector<std::size_t> NeedlessGaps::findNear(const std::vector<PlanSegment>& lost, Poll poll) const {
+  std::vector<std::size_t> byX(gaps_.size()), near;
+  for (std::size_t i = 0; i < byX.size(); ++i) byX[i] = i;
+  const auto xOf = [&](std::size_t i) { return gaps_[i].piece.corner->x; };
+  std::sort(byX.begin(), byX.end(), [&](std::size_t a, std::size_t b) { return xOf(a) < xOf(b); });
+  std::vector<char> isNear(gaps_.size(), 0);
+  for (const PlanSegment& part : lost) {
+    poll();
+    const auto [low, high] = std::minmax(part.fromX, part.toX);
+    auto at = std::partition_point(byX.begin(), byX.end(),
+                                   [&, least = low - reach_](std::size_t i) { return xOf(i) < least; });
+    for (; at != byX.end() && xOf(*at) <= high + reach_; ++at)
+      if (part.isNear(*gaps_[*at].piece.corner, reach_)) isNear[*at] = 1;
+  }
+  for (std::size_t i = 0; i < gaps_.size(); ++i)
+    if (isNear[i] != 0) near.push_back(i);
+  return near;
+}
+
+std::vector<GapStretch> NeedlessGaps::takeNeeded(const std::vector<PlanSegment>& lost,
+                                                 const std::vector<StepStretch>& steps,
+                                                 const std::function<std::vector<GapWay>()>& findWays, Poll poll) {
+  std::vector<GapStretch> needed;
+  std::vector<std::size_t> near = findNear(lost, poll);
+  if (near.empty()) return needed;
+  Neighbourhood neighbourhood(steps, splits_, reach_, poll);
+  for (const GapWay& way : findWays()) neighbourhood.add(way);
+  sortByLength(near, gaps_);
+  std::vector<char> isNeeded(gaps_.size(), 0);
+  for (const std::size_t i : near) {
+    poll();
+    isNeeded[i] = neighbourhood.joins(gaps_[i]) ? 0 : 1;
+    if (isNeeded[i] != 0) neighbourhood.add(gaps_[i]);
+  }
+  moveChosen(gaps_, isNeeded, needed);
+  return needed;
 }
 
 }  // namespace footfall::detail

@@ -17,9 +17,7 @@ namespace {
 
 constexpr double kUnit = GapConditions::kUnit;
 constexpr double kSnap = GapConditions::kSnap;
-/// Places of two borders that are nearer along a gap are across from each other. Each is that near to where it is due,
-/// so together they use up what GapConditions left, and no more.
-constexpr double kAcross = GapConditions::kSlack / 2;
+constexpr double kAcross = GapConditions::kAcross;
 /// Each line that cuts a border goes on so far behind it, so that rounding its ends hardly turns it.
 constexpr double kArm = 0x1p20;
 /// Coordinates of places are below that.
@@ -146,6 +144,7 @@ std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const st
 }
 
 void GapLinker::add(std::vector<GapStretch> stretches) {
+  for (const GapStretch& stretch : stretches) known_.push_back({stretch.piece.ends});
   std::move(stretches.begin(), stretches.end(), std::back_inserter(gaps_));
 }
 
@@ -228,10 +227,11 @@ void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, d
 
 // The ends of all gaps, and what lies across from each vertex within one.
 bool GapLinker::planCuts(Cuts& cuts) {
-  for (GapStretch& stretch : gaps_) {
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) {
+    GapStretch& stretch = gaps_[gap];
     context_.checkCancelled();
     if (cuts.list.size() > cuts.most) return false;
-    if (stretch.isDropped) continue;
+    if (stretch.isDropped || isSettled(gap)) continue;
     const auto [low, high] = stretch.piece.ends;
     const std::array numbers{stretch.first, stretch.second};
     const std::array chains{chainOf(stretch.first), chainOf(stretch.second)};
@@ -370,9 +370,10 @@ bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) {
 
 bool GapLinker::proveAll() {
   bool isChanged = false;
-  for (GapStretch& stretch : gaps_) {
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) {
+    GapStretch& stretch = gaps_[gap];
     context_.checkCancelled();
-    if (stretch.isDropped) continue;
+    if (stretch.isDropped || isSettled(gap)) continue;
     const Proof proof = prove(stretch);
     if (proof.fault == Fault::None) continue;
     if (drawIn(stretch, proof)) {
@@ -386,65 +387,24 @@ bool GapLinker::proveAll() {
 }
 
 void GapLinker::split(const Spread& spread) {
-  std::size_t most = SIZE_MAX;
-  for (int round = 0; round < kRounds; ++round) {
+  std::size_t most = SIZE_MAX, open = 0;
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) open += isSettled(gap) ? 0 : 1;
+  bool isDone = false;
+  for (int round = 0; round < kRounds && !isDone; ++round) {
     context_.checkCancelled();
     Cuts cuts{most, {}, {}};
     if (!planCuts(cuts)) break;
-    if (cuts.list.empty() && !proveAll()) return;
+    isDone = cuts.list.empty() && !proveAll();
     makeCuts(cuts.list, spread);
-    if (round == 0) most = cuts.list.size() + kCutsOfGap * gaps_.size() + kFewCuts;
+    if (round == 0) most = cuts.list.size() + kCutsOfGap * open + kFewCuts;
   }
-  while (proveAll()) context_.checkCancelled();  // what is still drawn in then has no vertices there, and goes
+  // An end that is still drawn in has no vertices there: such a gap is dropped.
+  while (!isDone && proveAll()) context_.checkCancelled();
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) known_[gap].chains = chainLengths(gaps_[gap]);
 }
 
-// Both in their own directions. Of the vertices within the gap, those that lie across from each other are paired;
-// between two such pairs without another vertex there is a link.
-void GapLinker::addLinks(const GapStretch& stretch, std::vector<MeshLink>& links) {
-  struct Place {
-    Index vertex = -1;
-    double along = 0;
-  };
-  const auto placesOf = [&](Index number) {
-    const MeshBorder& border = splits_.border(number);
-    const GapPiece& piece = stretch.piece;
-    const Chain chain = chainOf(number);
-    const ChainPart part = partOf(chain, piece.frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
-    std::vector<Place> places;
-    places.reserve(part.end - part.begin);
-    for (std::size_t i = part.begin; i < part.end; ++i)
-      places.push_back({splits_.chainNumber(border, i), chain.along(piece.frame, i)});
-    return places;
-  };
-  const std::vector<Place> first = placesOf(stretch.first);
-  std::vector<Place> second = placesOf(stretch.second);
-  std::reverse(second.begin(), second.end());
-  std::size_t i = 0, j = 0;
-  std::optional<std::array<std::size_t, 2>> last;
-  while (i < first.size() && j < second.size()) {
-    const double distance = first[i].along - second[j].along;
-    if (std::fabs(distance) > 2 * kAcross) {
-      ++(distance < 0 ? i : j);
-      continue;
-    }
-    if (last && (*last)[0] + 1 == i && (*last)[1] + 1 == j) {
-      MeshLink link{{first[i - 1].vertex, first[i].vertex}, {second[j].vertex, second[j - 1].vertex}, true};
-      if (link.to < link.from) std::swap(link.from, link.to);
-      links.push_back(link);
-    } else if (last) {
-      ++undecided_;
-    }
-    last = {i++, j++};
-  }
-}
-
-std::vector<MeshLink> GapLinker::links() {
-  std::vector<MeshLink> links;
-  for (const GapStretch& gap : gaps_) {
-    context_.checkCancelled();
-    if (!gap.isDropped) addLinks(gap, links);
-  }
-  return links;
+std::array<std::size_t, 2> GapLinker::chainLengths(const GapStretch& stretch) const {
+  return {splits_.chainLength(splits_.border(stretch.first)), splits_.chainLength(splits_.border(stretch.second))};
 }
 
 }  // namespace footfall::detail

@@ -11,6 +11,7 @@
 
 #include "core/filters/steps/border_splits.hpp"
 #include "core/filters/steps/gap_conditions.hpp"
+#include "core/filters/steps/gap_ways.hpp"
 
 namespace footfall::detail {
 
@@ -54,8 +55,13 @@ class GapLinker {
   [[nodiscard]] bool isEmpty() const { return gaps_.empty(); }
   /// Called with the edges that got vertices.
   using Spread = std::function<void(const std::vector<Index>& changed)>;
-  /// Puts vertices on the borders until those of each gap lie across from each other.
+  /// Puts vertices on the borders until those of each gap lie across from each other. After more gaps were added, it
+  /// goes on with these, and with what their vertices change.
   void split(const Spread& spread);
+  /// Where split() led to links, in the order of the gaps.
+  [[nodiscard]] std::vector<GapWay> ways();
+  /// Both sides of the parts of gaps that were added and led to no link.
+  [[nodiscard]] std::vector<PlanSegment> lostParts();
   /// The links, by the vertices of the mesh that `splits` made.
   [[nodiscard]] std::vector<MeshLink> links();
 
@@ -124,14 +130,28 @@ class GapLinker {
   [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof);
   [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
   [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
+  /// Calls visit(i, j) for each link of a gap: from vertex i - 1 of the first border to i, and from j to j + 1 of the
+  /// second one. Returns how many pairs of vertices that lie across from each other have unpaired ones between them.
+  template <class Visit>
+  std::size_t visitLinks(const GapStretch& stretch, const Visit& visit);
+  /// The parts of a gap that have links, along its frame, ascending.
+  [[nodiscard]] std::vector<std::array<double, 2>> linkedParts(const GapStretch& stretch);
   void addLinks(const GapStretch& stretch, std::vector<MeshLink>& links);
+  [[nodiscard]] std::array<std::size_t, 2> chainLengths(const GapStretch& stretch) const;
+  /// True where nothing about a gap has changed since split() ended.
+  [[nodiscard]] bool isSettled(std::size_t gap) const { return chainLengths(gaps_[gap]) == known_[gap].chains; }
 
   BorderSplits& splits_;
   RunContext& context_;
   double gap_ = 0;
   std::unordered_map<Index, GapBorder> lines_;           ///< of borders that were asked for
   std::unordered_map<Index, std::vector<Vec3>> places_;  ///< of the new vertices of edges
+  struct Known {
+    std::array<double, 2> ends;           ///< where the gap ended when it was added
+    std::array<std::size_t, 2> chains{};  ///< vertices of its borders when split() ended
+  };
   std::vector<GapStretch> gaps_;
+  std::vector<Known> known_;  ///< of gaps_
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;
 };

@@ -10,7 +10,6 @@
 #include "core/base/geometry.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
-#include "core/filters/steps/gap_corners.hpp"
 #include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
@@ -21,6 +20,8 @@ using Bounds = BoxTree<3>::Bounds;
 constexpr Index kBordersPerTask = 64;
 constexpr Index kDirectionsPerTask = 8192;
 constexpr std::size_t kPolled = 1024;
+/// So often ways over gaps that were left out are added where others could not be proven.
+constexpr int kMostRetries = 8;
 
 }  // namespace
 
@@ -42,14 +43,18 @@ Bounds StepLinker::boundsOf(const MeshBorder& border) const {
   return BorderSplits::boundsOf(splits_.vertex(border.from), splits_.vertex(border.to));
 }
 
-std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap, StepMemory* memory) {
+std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height, double gap, StepMemory* memory,
+                                                     bool linksGaps) {
   const WalkableMesh& mesh = splits_.mesh();
   const bool hasGaps =
       std::any_of(mesh.links.begin(), mesh.links.end(), [](const MeshLink& link) { return link.isGap; });
   if (gap > 0 || hasGaps) gaps_.emplace(splits_, gap, context_);
   StepFindings found = findStretches({step, height}, gap);
   if (memory != nullptr) *memory = {state_.mesh, step, height, gap, splits_.borders(), found};
-  leftOut_ = removeNeedlessGaps(found.gaps, found.stretches, splits_, gap, context_);
+  if (!linksGaps) found.gaps = {};
+  needless_.emplace(splits_, gap);
+  needless_->takeFrom(found.gaps, found.stretches, context_);
+  leftOut_ = needless_->count();
   undecided_ += found.undecided.size();
   stretches_ = std::move(found.stretches);
   if (gaps_) gaps_->add(std::move(found.gaps));
@@ -297,6 +302,26 @@ void StepLinker::splitAtSteps() {
   spreadSplits(changed);
 }
 
+// Each round adds gaps that were left out, and none is added twice: so it ends. Those that are still needed after the
+// last round count as undecided.
+void StepLinker::splitAtGaps() {
+  const auto split = [&] { gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); }); };
+  split();
+  for (int round = 0; needless_; ++round) {
+    std::vector<GapStretch> needed = needless_->takeNeeded(
+        gaps_->lostParts(), stretches_, [&] { return gaps_->ways(); }, context_);
+    leftOut_ = needless_->count();
+    if (needed.empty()) break;
+    if (round == kMostRetries) {
+      undecided_ += needed.size();
+      break;
+    }
+    gaps_->add(std::move(needed));
+    split();
+  }
+  needless_.reset();
+}
+
 // From edges that got vertices to all that must have them, too.
 void StepLinker::spreadSplits(const std::vector<Index>& changed) {
   std::vector<Index> open;
@@ -361,7 +386,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
   directions_ = {};
   splits_.dropTree();
   splitAtSteps();
-  if (gaps_ && !gaps_->isEmpty()) gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); });
+  if (gaps_ && !gaps_->isEmpty()) splitAtGaps();
   context_.checkCancelled();
   std::shared_ptr<WalkableMesh> result = splits_.makeMesh(context_);
   addStepLinks(result->links);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/filters/steps/border_splits.hpp"
+#include "core/filters/steps/gap_corners.hpp"
 #include "core/filters/steps/gap_linker.hpp"
 #include "core/filters/steps/step_conditions.hpp"
 #include "core/filters/steps/step_memory.hpp"
@@ -30,8 +31,9 @@ class StepLinker {
   void reuse(const StepMemory& before, const EarlierResult& earlier);
 
   /// Links what can be stepped over, and what the state's mesh links already. `gap` is at least 0 (environment units).
-  /// `memory` (may be null) gets what reuse() needs.
-  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap, StepMemory* memory = nullptr);
+  /// `memory` (may be null) gets what reuse() needs; with `linksGaps` false, gaps that are found go nowhere else.
+  std::shared_ptr<const WalkableMesh> link(double step, double height, double gap, StepMemory* memory = nullptr,
+                                           bool linksGaps = true);
 
   /// An agent's step and height, levels of the kernel.
   struct Limits {
@@ -46,7 +48,7 @@ class StepLinker {
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
   /// Pairs of borders, and pieces of gaps, of which it is not known where the link ends: they are not linked.
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
-  /// Gaps that link() left out, as they lead nowhere else (removeNeedlessGaps()).
+  /// Gaps that link() left out, as they lead nowhere else.
   [[nodiscard]] std::size_t leftOut() const { return leftOut_; }
 
  private:
@@ -85,6 +87,8 @@ class StepLinker {
               Worker* worker);
   [[nodiscard]] std::vector<Index> remainsOf(const WalkableMesh& earlier, const MeshBorder& old);
   void splitAtSteps();
+  /// The same at gaps: where some are lost on which others rested, these are added, until nothing changes.
+  void splitAtGaps();
   void spreadSplits(const std::vector<Index>& changed);
   void addStepLinks(std::vector<MeshLink>& links);
   [[nodiscard]] std::shared_ptr<const WalkableMesh> makeMesh();
@@ -93,9 +97,10 @@ class StepLinker {
   RunContext& context_;
   BorderSplits splits_;
   std::optional<GapLinker> gaps_;
-  std::vector<Direction> directions_;  ///< of borders
-  std::vector<Index> numberBefore_;    ///< of borders, in an earlier run; -1: not known, or something changed
-  StepFindings known_;                 ///< from there
+  std::optional<NeedlessGaps> needless_;  ///< of what link() found
+  std::vector<Direction> directions_;     ///< of borders
+  std::vector<Index> numberBefore_;       ///< of borders, in an earlier run; -1: not known, or something changed
+  StepFindings known_;                    ///< from there
   std::vector<Stretch> stretches_;
   std::unordered_map<Index, std::vector<std::size_t>> stretchesAt_;  ///< of edges
   ExactFallbacks fallbacks_;

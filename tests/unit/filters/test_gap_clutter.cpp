@@ -110,6 +110,30 @@ class TestGapClutter : public QObject {
              result.steps.back().note.str().c_str());
   }
 
+  // In these soups the way that is kept beside shorter ones cannot be proven. Without another search, they would be two
+  // regions.
+  void waysAreTriedAgainWhereOthersCannotBeProven() {
+    const std::string pipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.1 0.15\n";
+    for (const auto& [number, count] : {std::pair(176U, 12), {4736U, 30}}) {
+      std::mt19937 random(number);
+      const auto environment = randomClutter(random, count).environment();
+      const StatePtr state = runFilters(environment, pipeline);
+      Index regions = 0;
+      findRegions(*state->mesh, *topologyOf(*state), regions);
+      QCOMPARE(regions, 1);
+      const std::string alone = productBytes(environment, pipeline, 1);
+      QVERIFY(productBytes(environment, pipeline, 2) == alone);
+      std::vector<std::uint32_t> order(environment->triangles.size());
+      std::iota(order.begin(), order.end(), 0U);
+      std::shuffle(order.begin(), order.end(), random);
+      QVERIFY(productBytes(shuffled(*environment, order, 1), pipeline, 1) == alone);
+      const TemporaryFolder folder;
+      pack(*environment, folder.path("soup.ffenv"));
+      const QString difference = differenceOf(PackedEnvironment(folder.path("soup.ffenv")), pipeline, {1, 7, 1000});
+      QVERIFY2(difference.isEmpty(), qPrintable(difference));
+    }
+  }
+
   void bytesDependOnNothingElse() {
     std::mt19937 random(static_cast<std::uint32_t>(seed()));
     for (int i = 0; i < rounds(6); ++i) {

@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <random>
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/walkable_state.hpp"
-#include "core/base/disjoint_sets.hpp"
 #include "core/mesh/gap_bridges.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/inspect.hpp"
@@ -19,6 +17,7 @@
 #include "footfall/pipeline.hpp"
 #include "footfall/run.hpp"
 #include "tests/reference/gaps.hpp"
+#include "tests/support/exact_borders.hpp"
 #include "tests/support/live_runs.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
@@ -77,57 +76,7 @@ Point3 nearestOn(const BorderEdge3& border, const Point3& p, const Rational& end
 bool isLevel(const BorderEdge3& edge) { return edge.from.z == edge.to.z; }
 
 struct Counts {
-  std::size_t linked = 0, expected = 0, decided = 0;
-};
-
-/// A run's mesh with exact places.
-struct ExactBorders {
-  std::vector<Point3> places;
-  std::vector<BorderEdge3> borders;
-  std::vector<Index> parts;  ///< parts of the borders: those that hang together over edges and links
-  std::vector<std::array<BorderEdge3, 2>> gaps;
-
-  explicit ExactBorders(const StatePtr& state) {
-    const WalkableMesh& mesh = *state->mesh;
-    for (const MeshVertex& v : mesh.vertices) {
-      const auto p = state->kernel->exactPosition(v.point, v.face);
-      places.push_back({p[0], p[1], p[2]});
-    }
-    const auto edgeOf = [&](const std::array<Index, 2>& edge) { return BorderEdge3{places[edge[0]], places[edge[1]]}; };
-    const auto topology = topologyOf(*state);
-    const TriangleCorners corners(mesh.triangles);
-    DisjointSets sets(mesh.triangles.size());
-    std::map<std::array<Index, 2>, Index> triangleAt;  // number of each border
-    for (Index e = 0; e < topology->edgeCount(); ++e) {
-      const auto sides = topology->sidesOf(e);
-      if (sides.size() > 1 && !isObstacle(mesh.triangles, sides)) {
-        for (const Index side : sides) sets.unite(side / 3, sides[0] / 3);
-        continue;
-      }
-      for (const Index side : sides) {
-        const std::array<Index, 2> ends{corners.beginOf(side), corners.endOf(side)};
-        borders.push_back(edgeOf(ends));
-        parts.push_back(side / 3);
-        triangleAt[ends] = side / 3;
-      }
-    }
-    for (const MeshLink& link : mesh.links) {
-      sets.unite(triangleAt.at(link.from), triangleAt.at(link.to));
-      if (link.isGap) gaps.push_back({edgeOf(link.from), edgeOf(link.to)});
-    }
-    for (Index& part : parts) part = sets.find(part);
-  }
-
-  /// The part of a border that links may have divided since.
-  [[nodiscard]] Index partOf(const BorderEdge3& whole) const {
-    const auto isSame = [](const Point3& p, const Point3& q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
-    const Rational dx = whole.to.x - whole.from.x, dy = whole.to.y - whole.from.y;
-    for (std::size_t i = 0; i < borders.size(); ++i) {
-      const Rational x = borders[i].to.x - whole.from.x, y = borders[i].to.y - whole.from.y;
-      if (isSame(borders[i].from, whole.from) && dx * y == dy * x && dx * x + dy * y > 0) return parts[i];
-    }
-    return -1;
-  }
+  std::size_t linked = 0, expected = 0;
 };
 
 /// A place of `a` from which the definition holds with a margin to spare to the nearest place of `b`, which is no less
@@ -194,15 +143,7 @@ bool agrees(const std::shared_ptr<const Environment>& environment, double step, 
       }
     }
   }
-  // Cuts cause further cuts without end where many borders are about as far from each other as the gap is wide.
-  // Stretches not matched after some rounds are not linked, and the filter reports it.
-  const RunResult result = run(environment, gaps(step, gap), nullptr);
-  if (result.steps.back().note.str().find("undecided") != std::string::npos) return true;
-  ++counts.decided;
-  RunContext context;
-  ExactFallbacks fallbacks;
-  const std::vector<BorderEdge3> borders =
-      ExactBorders(withMesh(runFilters(environment, minimalPipeline(kHeight)), context, fallbacks)).borders;
+  const std::vector<BorderEdge3> borders = bordersOf(environment, minimalPipeline(kHeight));
   std::vector<Index> parts;
   for (const BorderEdge3& border : borders) {
     parts.push_back(exact.partOf(border));
@@ -399,7 +340,7 @@ class TestGapCorners : public QObject {
       QVERIFY2(agrees(randomCorners(random).environment(), step, gap, 1e-6, counts), qPrintable(QString::number(i)));
     }
     qInfo("%zu links, %zu borders", counts.linked, counts.expected);
-    QVERIFY(counts.linked > 60 && counts.decided > static_cast<std::size_t>(rounds(60)) / 2);
+    QVERIFY(counts.linked > 60);
   }
 
   void farFromTheOrigin() {
