@@ -15,11 +15,11 @@
 namespace footfall::detail {
 
 FilterOutcome applyStep(const StatePtr& given, double step, double gap, const Recall& recall, RunContext& context) {
-  return applyStepToChosen(given, step, gap, nullptr, recall, context);
+  return applyStepToChosen(given, step, gap, nullptr, true, recall, context);
 }
 
 FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, const std::vector<char>* chosen,
-                                const Recall& recall, RunContext& context) {
+                                bool linksGaps, const Recall& recall, RunContext& context) {
   FilterOutcome outcome;
   auto state = std::make_shared<WalkableState>(*withMesh(given, context, outcome.fallbacks));
   if (state->clearance == 0) throw std::logic_error("StepFilter without a clearance before it");
@@ -36,7 +36,7 @@ FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, 
   }
   state->step = std::max(state->step, height);
   const auto memory = recall.keep ? std::make_shared<StepMemory>() : nullptr;
-  state->mesh = linker.link(height, state->clearance, gap, memory.get());
+  state->mesh = linker.link(height, state->clearance, gap, memory.get(), linksGaps);
   state->stepMemory = memory;
   state->kernel = linker.kernel();
   state->topology = nullptr;

@@ -137,10 +137,8 @@ std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std
                                     const PipelineStep& step, int reach, bool hasAllGaps, RunContext& context) {
   Recall recall;
   recall.keep = true;
-  const auto linkedWith = [&](double gap) {
-    return applyStepToChosen(state, step.values[0], gap, &isSeen, recall, context).state;
-  };
-  LinkedCell cell{linkedWith(step.values[1]), isOwn};
+  LinkedCell cell{applyStepToChosen(state, step.values[0], step.values[1], &isSeen, hasAllGaps, recall, context).state,
+                  isOwn};
   const StepMemory& memory = *cell.state->stepMemory;
   std::unordered_set<Index> ownEdges, gapEdges;
   for (const MeshBorder& border : memory.borders)
@@ -163,7 +161,6 @@ std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std
       cell.isOwn[border.face] = 0;
       cell.atGaps.floors.push_back(numbers[source.inputTriangles[border.face]]);
     }
-  cell.state = linkedWith(0);
   return cell;
 }
 

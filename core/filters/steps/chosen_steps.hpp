@@ -8,8 +8,9 @@
 
 namespace footfall::detail {
 
-/// applyStep(), but only between borders of faces that are chosen: one for each source triangle, or null for all.
+/// applyStep(), but only between borders of faces that are chosen: one for each source triangle, or null for all. With
+/// `linksGaps` false, gaps are found for the memory that `recall` may keep, and not linked.
 FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, const std::vector<char>* chosen,
-                                const Recall& recall, RunContext& context);
+                                bool linksGaps, const Recall& recall, RunContext& context);
 
 }  // namespace footfall::detail
