@@ -13,7 +13,6 @@ namespace {
 constexpr double kHalfSide = 0x1p37;
 constexpr int kDeepest = 24;
 constexpr std::size_t kCellsOfPiece = 4;
-constexpr std::size_t kMostFew = 64;
 
 }  // namespace
 
@@ -52,12 +51,6 @@ std::uint64_t LayerCover::keyOf(const Cell& cell) {
   return static_cast<std::uint64_t>(cell.level) << 56 | static_cast<std::uint64_t>(cell.x) << 28 | cell.y;
 }
 
-LayerCover::Tree::Bounds LayerCover::boundsOf(Index triangle) const {
-  const PlanTriangle p = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(triangle)]);
-  return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
-          {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
-}
-
 // Decided by rounded coordinates with their bounds: false says nothing.
 bool LayerCover::isInside(const Cell& cell, const PlanTriangle& t) const {
   const double side = std::ldexp(2 * kHalfSide, -cell.level);
@@ -77,7 +70,8 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
   Piece piece{triangles, {}};
   std::vector<std::pair<double, Index>> largest;
   for (const Index t : triangles) {
-    const Tree::Bounds b = boundsOf(t);
+    const BoxTree<2>::Bounds b =
+        planBoundsOf(planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]));
     const double size = std::min(b.upper[0] - b.lower[0], b.upper[1] - b.lower[1]);
     if (!std::isfinite(size)) continue;
     largest.emplace_back(-size, t);
@@ -123,26 +117,14 @@ std::uint32_t LayerCover::firstInDoubt(const std::vector<const Runs*>& known, st
   return layer;
 }
 
-bool LayerCover::overlaps(const Piece& piece, const Layer& layer) {
-  bool found = false;
+bool LayerCover::overlaps(const Piece& piece, const GrowingTriangles& layer) {
   for (const Index t : piece.triangles) {
     context_.checkCancelled();
     const PlanTriangle own = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]);
-    const Tree::Bounds bounds = boundsOf(t);
-    const auto test = [&](Index o) {
+    const bool found = layer.visitUntil(own, [&](Index o) {
       context_.checkCancelled();
-      found =
-          found || geometry_.overlap(own, planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(o)]));
-    };
-    for (const Tree& tree : layer.trees)
-      if (!found) tree.visitOverlapping(bounds, test);
-    for (const Index o : layer.few) {
-      if (found) break;
-      const Tree::Bounds b = boundsOf(o);
-      if (b.lower[0] <= bounds.upper[0] && b.upper[0] >= bounds.lower[0] && b.lower[1] <= bounds.upper[1] &&
-          b.upper[1] >= bounds.lower[1])
-        test(o);
-    }
+      return geometry_.overlap(own, planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(o)]));
+    });
     if (found) return true;
   }
   return false;
@@ -160,7 +142,7 @@ std::uint32_t LayerCover::firstFree(const Piece& piece) {
 }
 
 void LayerCover::add(const Piece& piece, std::uint32_t layer) {
-  if (layer == layerCount()) layers_.emplace_back();
+  if (layer == layerCount()) layers_.emplace_back(mesh_);
   for (const Cell& cell : piece.inside) {
     nodes_[keyOf(cell)].around.insert(layer);
     for (Cell at = cell; --at.level >= 0;) {
@@ -169,18 +151,7 @@ void LayerCover::add(const Piece& piece, std::uint32_t layer) {
       nodes_[keyOf(at)].within.insert(layer);
     }
   }
-  auto& [trees, few] = layers_[layer];
-  few.insert(few.end(), piece.triangles.begin(), piece.triangles.end());
-  if (few.size() <= kMostFew) return;
-  std::vector<Index> together;
-  together.swap(few);
-  while (!trees.empty() && static_cast<std::size_t>(trees.back().size()) <= 2 * together.size()) {
-    for (Index place = 0; place < trees.back().size(); ++place) together.push_back(trees.back().idAt(place));
-    trees.pop_back();
-  }
-  trees.emplace_back();
-  trees.back().build(
-      together, [this](Index t) { return boundsOf(t); }, context_);
+  layers_[layer].add(piece.triangles, context_);
 }
 
 }  // namespace footfall::detail

@@ -9,7 +9,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/base/box_tree.hpp"
+#include "core/filters/layers/growing_triangles.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "footfall/run_context.hpp"
 
@@ -46,8 +46,6 @@ class LayerCover {
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
 
  private:
-  using Tree = BoxTree<2>;
-
   /// A set of numbers as runs: the first of each and the one behind its last.
   class Runs {
    public:
@@ -62,25 +60,18 @@ class LayerCover {
     Runs around;  ///< layers that cover the whole cell
     Runs within;  ///< layers that cover a cell inside it
   };
-  /// Triangles in trees, each more than twice as large as the next, and the last few in none.
-  struct Layer {
-    std::vector<Tree> trees;
-    std::vector<Index> few;
-  };
-
   [[nodiscard]] bool isInside(const Cell& cell, const PlanTriangle& triangle) const;
   [[nodiscard]] static std::uint64_t keyOf(const Cell& cell);
   /// The first layer from `layer` on of which the cells do not prove that it overlaps the piece.
   [[nodiscard]] std::uint32_t firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const;
   [[nodiscard]] std::vector<const Runs*> knownFor(const Piece& piece) const;
-  [[nodiscard]] bool overlaps(const Piece& piece, const Layer& layer);
-  [[nodiscard]] Tree::Bounds boundsOf(Index triangle) const;
+  [[nodiscard]] bool overlaps(const Piece& piece, const GrowingTriangles& layer);
 
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
   RunContext& context_;
   MeshGeometry geometry_;
-  std::vector<Layer> layers_;
+  std::vector<GrowingTriangles> layers_;
   std::unordered_map<std::uint64_t, Node> nodes_;
 };
 
