@@ -5,19 +5,21 @@
 #include <functional>
 #include <map>
 #include <queue>
-#include <set>
 #include <tuple>
+
+#include "core/filters/layers/piece_conflicts.hpp"
 
 namespace footfall::detail {
 namespace {
 
 constexpr Index kNone = -1;
 
+template <class Conflicts>
 class RegionSubdivision {
  public:
   RegionSubdivision(const LayerInput& input, std::span<const Index> triangles, std::span<const Index> ranks,
-                    std::vector<Index>& piece, RunContext& context)
-      : input_(input), triangles_(triangles), ranks_(ranks), piece_(piece), context_(context) {}
+                    std::vector<Index>& piece, Conflicts& conflicts, RunContext& context)
+      : input_(input), triangles_(triangles), ranks_(ranks), piece_(piece), conflicts_(conflicts), context_(context) {}
 
   std::vector<Index> run() {
     growPieces();
@@ -39,14 +41,18 @@ class RegionSubdivision {
       const Index blocked = kNone - 1 - piece;  // a triangle that overlaps the piece
       seeds_.push_back(seed);
       front.push(lowest);
+      conflicts_.begin();
       while (!front.empty()) {
         if ((++polls & 1023) == 0) context_.checkCancelled();
         const Index t = input_.byHeight[front.top()];
         front.pop();
         if (piece_[t] >= 0 || piece_[t] == blocked) continue;
+        if (conflicts_.isBlocked(t)) {
+          piece_[t] = blocked;
+          continue;
+        }
         piece_[t] = piece;
-        for (const Index o : input_.overlaps[t])
-          if (piece_[o] < 0) piece_[o] = blocked;
+        conflicts_.take(t, blocked);
         for (const Index n : input_.neighbors[t])
           if (piece_[n] < 0 && piece_[n] != blocked) front.push(input_.rank[n]);
       }
@@ -56,17 +62,10 @@ class RegionSubdivision {
   // Unites neighbouring pieces that overlap nowhere, most connections first; among equals the first pair by number.
   void mergePieces() {
     std::vector<std::map<Index, int>> cuts(seeds_.size());  // connections with each neighbouring piece
-    std::vector<std::set<Index>> conflicts(seeds_.size());
-    Index last = kNone, lastConflict = kNone;  // most triangles say what the one before did
-    for (const Index t : triangles_) {
-      const Index p = piece_[t];
+    for (const Index t : triangles_)
       for (const Index n : input_.neighbors[t])
-        if (piece_[n] != p) ++cuts[p][piece_[n]];
-      for (const Index o : input_.overlaps[t]) {
-        if (piece_[o] == p || (p == last && piece_[o] == lastConflict)) continue;
-        conflicts[last = p].insert(lastConflict = piece_[o]);
-      }
-    }
+        if (piece_[n] != piece_[t]) ++cuts[piece_[t]][piece_[n]];
+    conflicts_.beginUniting(triangles_, seeds_.size());
     context_.checkCancelled();
     using Candidate = std::tuple<int, Index, Index>;  // fewest connections (negative: most), then the pair
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
@@ -79,7 +78,7 @@ class RegionSubdivision {
       const auto [negative, into, from] = candidates.top();
       candidates.pop();
       const auto cut = cuts[into].find(from);
-      if (cut == cuts[into].end() || cut->second != -negative || conflicts[into].contains(from)) continue;
+      if (cut == cuts[into].end() || cut->second != -negative || conflicts_.overlap(into, from)) continue;
       context_.checkCancelled();
       mergedInto[from] = into;
       cuts[into].erase(cut);
@@ -91,12 +90,7 @@ class RegionSubdivision {
         offer(into, other, sum);
       }
       cuts[from].clear();
-      for (const Index other : conflicts[from]) {
-        conflicts[other].erase(from);
-        conflicts[other].insert(into);
-        conflicts[into].insert(other);
-      }
-      conflicts[from].clear();
+      conflicts_.unite(into, from);
     }
     // A piece is merged into one with a smaller number.
     for (Index p = 0; p < static_cast<Index>(mergedInto.size()); ++p)
@@ -110,11 +104,12 @@ class RegionSubdivision {
   // Moves single triangles to a neighbouring piece while that saves connections.
   bool moveTriangles() {
     bool changed = false;
+    conflicts_.beginMoving(triangles_, seeds_.size());
     std::vector<Index> queue(triangles_.begin(), triangles_.end());
     for (std::size_t head = 0; head < queue.size(); ++head) {
       if ((head & 1023) == 0) context_.checkCancelled();
       const Index t = queue[head];
-      const auto neighbors = input_.neighbors[t], overlaps = input_.overlaps[t];
+      const auto neighbors = input_.neighbors[t];
       const auto links = [&](Index piece) {
         return std::count_if(neighbors.begin(), neighbors.end(), [&](Index n) { return piece_[n] == piece; });
       };
@@ -123,12 +118,13 @@ class RegionSubdivision {
       for (const Index n : neighbors) {
         const Index p = piece_[n];
         if (p == piece_[t] || links(p) <= gain) continue;
-        if (std::any_of(overlaps.begin(), overlaps.end(), [&](Index o) { return piece_[o] == p; })) continue;
+        if (conflicts_.overlapsPiece(t, p)) continue;
         target = p;
         gain = links(p);
       }
       if (target == kNone) continue;
       piece_[t] = target;
+      conflicts_.move(t, target);
       changed = true;
       queue.insert(queue.end(), neighbors.begin(), neighbors.end());
     }
@@ -138,6 +134,7 @@ class RegionSubdivision {
   const LayerInput& input_;
   std::span<const Index> triangles_, ranks_;
   std::vector<Index>& piece_;
+  Conflicts& conflicts_;
   RunContext& context_;
   std::vector<Index> seeds_;
 };
@@ -146,7 +143,17 @@ class RegionSubdivision {
 
 std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
                                    std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context) {
-  return RegionSubdivision(input, triangles, ranks, piece, context).run();
+  ListedConflicts conflicts(input.overlaps, piece);
+  return RegionSubdivision(input, triangles, ranks, piece, conflicts, context).run();
+}
+
+std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
+                                   std::span<const Index> ranks, const PlanKernel& kernel, const WalkableMesh& mesh,
+                                   std::vector<Index>& piece, RunContext& context, SearchCounts& counts) {
+  SearchedConflicts conflicts(kernel, mesh, piece, context);
+  std::vector<Index> seeds = RegionSubdivision(input, triangles, ranks, piece, conflicts, context).run();
+  counts = conflicts.counts();
+  return seeds;
 }
 
 }  // namespace footfall::detail

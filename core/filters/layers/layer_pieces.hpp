@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/exact/source_mesh.hpp"
+#include "core/mesh/walkable_mesh.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
@@ -30,7 +30,7 @@ struct LayerInput {
   /// place there; only those of regions that are subdivided.
   std::vector<Index> byHeight, rank;
   IndexLists neighbors;  ///< across edges that are not obstacle edges; only within regions that are subdivided
-  IndexLists overlaps;   ///< triangles of the same region that overlap it in the plan
+  IndexLists overlaps;   ///< triangles of the same region that overlap it in the plan; empty where pairs are unknown
 };
 
 /// Numbers the pieces of the region of `triangles` (ascending; `ranks` has theirs, ascending) from 0 and writes the
@@ -38,5 +38,16 @@ struct LayerInput {
 /// piece grew; a number may have no triangles any more. A smaller number has the lower first triangle.
 std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
                                    std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context);
+
+/// The work of one call where pairs are unknown.
+struct SearchCounts {
+  std::size_t tested = 0;  ///< pairs of triangles that were tested for overlap
+  ExactFallbacks fallbacks;
+};
+
+/// The same where pairs are unknown.
+std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
+                                   std::span<const Index> ranks, const PlanKernel& kernel, const WalkableMesh& mesh,
+                                   std::vector<Index>& piece, RunContext& context, SearchCounts& counts);
 
 }  // namespace footfall::detail

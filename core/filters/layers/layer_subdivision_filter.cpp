@@ -4,8 +4,9 @@
 //
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds. For that, all overlapping pairs of triangles are listed, unless there are
-// far more of them than triangles, as in a tower of thousands of floors: then pairs are listed within regions only, and
-// layers are asked whether they have room for a piece (layer_cover.hpp). The result is the same.
+// far more of them than triangles, as in a tower of thousands of floors or a spiral of hundreds of turns. Then none are
+// listed: outlines decide which regions lie above themselves (double_cover.hpp), and triangles are looked up among
+// those of a piece (piece_conflicts.hpp) or of a layer (layer_cover.hpp). The result is the same.
 
 #include <algorithm>
 #include <map>
@@ -18,6 +19,7 @@
 #include "core/base/parallel.hpp"
 #include "core/base/parallel_sort.hpp"
 #include "core/filters/filter_registry.hpp"
+#include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
 #include "core/filters/layers/layer_cover.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
@@ -67,8 +69,6 @@ class LayerSubdivision {
                      findLowest();
                    });
     context_.checkCancelled();
-    if (!knowsAllOverlaps_)
-      overlaps_ = findPlanOverlapsWithin(region_, regionCount_, *kernel_, mesh_, topology_, context_, fallbacks_);
     subdivideRegions();
     context_.progress(kShareOfPieces);
     return knowsAllOverlaps_ ? colourPieces() : placePieces();
@@ -159,15 +159,24 @@ class LayerSubdivision {
     }
   }
 
-  // Numbers all pieces by the height of the triangles from which they grew.
-  void subdivideRegions() {
+  // For each region whether it lies above itself; `within` gets the pairs that show it, where pairs are known.
+  std::vector<char> findDivided(std::vector<Pair>& within) {
+    if (!knowsAllOverlaps_)
+      return findDoubleCovers(region_, regionCount_, findTrianglesAcross(mesh_, topology_, context_), *kernel_, mesh_,
+                              context_, fallbacks_);
     std::vector<char> divided(regionCount_, 0);
-    std::vector<Pair> within;
     for (const auto& pair : overlaps_) {
       if (region_[pair[0]] != region_[pair[1]]) continue;
       divided[region_[pair[0]]] = 1;
       within.push_back(pair);
     }
+    return divided;
+  }
+
+  // Numbers all pieces by the height of the triangles from which they grew.
+  void subdivideRegions() {
+    std::vector<Pair> within;
+    const std::vector<char> divided = findDivided(within);
     parallelInvoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); },
                    [&] { sortByHeight(divided); });
     context_.checkCancelled();
@@ -197,12 +206,17 @@ class LayerSubdivision {
 
     piece_.assign(count_, 0);
     std::vector<std::vector<Index>> seeds(regionCount_);
+    std::vector<SearchCounts> counts(regions.size());
     parallelFor(regions.size(), [&](std::size_t i) {
       context_.checkCancelled();
-      seeds[regions[i]] = subdivideRegion(input_, {triangles.data() + first[i], triangles.data() + first[i + 1]},
-                                          {ranks.data() + first[i], ranks.data() + first[i + 1]}, piece_, context_);
+      const std::span<const Index> own(triangles.data() + first[i], triangles.data() + first[i + 1]);
+      const std::span<const Index> ownRanks(ranks.data() + first[i], ranks.data() + first[i + 1]);
+      seeds[regions[i]] = knowsAllOverlaps_
+                              ? subdivideRegion(input_, own, ownRanks, piece_, context_)
+                              : subdivideRegion(input_, own, ownRanks, *kernel_, mesh_, piece_, context_, counts[i]);
     });
     context_.checkCancelled();
+    for (const SearchCounts& own : counts) fallbacks_ += own.fallbacks;
     for (Index t = 0; t < count_; ++t) {
       if (divided[region_[t]] != 0) continue;
       auto& seed = seeds[region_[t]];
@@ -330,7 +344,7 @@ class LayerSubdivision {
   RunContext& context_;
   Index count_;
   std::vector<Pair> overlaps_;
-  bool knowsAllOverlaps_ = true;  ///< else overlaps_ are those within regions
+  bool knowsAllOverlaps_ = true;  ///< else overlaps_ is empty
   std::vector<Index> region_;
   Index regionCount_ = 0;
   std::vector<double> lowest_;  ///< for each triangle the height of its lowest corner

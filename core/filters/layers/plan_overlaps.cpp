@@ -18,7 +18,8 @@
 //
 // Borders with thousands of vertices have needles, the boxes of which hold most of the others. Border sides are short
 // where there are many; so where there are many needles, they are looked up among boxes of parts of triangles, and only
-// triangles with a pair there as a whole. Beside a kerb, there is none.
+// triangles with a pair there as a whole. Beside a kerb, there is none. There, too, sheets that cover no place twice
+// are found first, by their outlines (cover_sweep.hpp): no pair of their own triangles is tested.
 #include "core/filters/layers/plan_overlaps.hpp"
 
 #include <algorithm>
@@ -32,6 +33,7 @@
 #include "core/base/box_tree.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/unfilled_array.hpp"
+#include "core/filters/layers/double_cover.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -44,6 +46,7 @@ class OverlapFinder {
   OverlapFinder(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
       : mesh_(mesh),
         context_(context),
+        kernel_(kernel),
         locals_([&kernel, &mesh] {
           return Local{MeshGeometry(kernel, mesh.vertices), {}, {}, {}};
         }),
@@ -57,29 +60,13 @@ class OverlapFinder {
   /// False when there are more pairs than `most`.
   bool findAll(const Adjacency& topology, std::size_t most) {
     most_ = most;
-    findInnerSides(topology);
+    across_ = findTrianglesAcross(mesh_, topology, context_);
     std::vector<Index> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Index{0});
     round_.assign(all.size(), kNever);
     isSpread_.assign(all.size(), 0);
     findAmong(std::move(all));
     return !tooMany();
-  }
-
-  // A region is a mesh of its own: what lies beyond its sides in other regions does not count.
-  void findWithin(const Adjacency& topology, const std::vector<Index>& region, Index regionCount) {
-    findInnerSides(topology);
-    const auto count = static_cast<Index>(mesh_.triangles.size());
-    for (Index side = 0; side < 3 * count; ++side)
-      if (across_[side] >= 0 && region[across_[side]] != region[side / 3]) across_[side] = -1;
-    std::vector<std::vector<Index>> members(regionCount);
-    for (Index t = 0; t < count; ++t) members[region[t]].push_back(t);
-    round_.assign(count, kNever);
-    isSpread_.assign(count, 0);
-    for (std::vector<Index>& triangles : members) {
-      context_.checkCancelled();
-      if (triangles.size() > 1) findAmong(std::move(triangles));
-    }
   }
 
   // What is known of two triangles that are still there holds; others are compared with all.
@@ -103,14 +90,15 @@ class OverlapFinder {
     });
   }
 
-  /// Of how many pairs it was asked whether they overlap.
+  /// The number of pairs that were tested, and of exact decisions about outlines.
   [[nodiscard]] std::size_t tested() const {
-    std::size_t count = 0;
+    std::size_t count = decisions_;
     for (const Local& local : locals_) count += local.tested;
     return count;
   }
 
   std::vector<Pair> take(ExactFallbacks& fallbacks) {
+    fallbacks += sheetFallbacks_;
     for (const Local& local : locals_) fallbacks += local.geometry.fallbacks;
     return std::move(pairs_);
   }
@@ -118,7 +106,11 @@ class OverlapFinder {
  private:
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
   void findAmong(std::vector<Index> triangles) {
-    findParts(triangles);
+    if (countNeedles(triangles) >= kFewNeedles) {
+      sheet_ = findFlatSheets(across_, kernel_, mesh_, context_, sheetFallbacks_, &decisions_);
+      dropLonelySheets(triangles);
+      findParts(triangles);
+    }
     std::vector<Index> border, other;
     for (const Index t : triangles) (isAtBorder(t) ? border : other).push_back(t);
     if (parts_.empty()) {
@@ -174,20 +166,6 @@ class OverlapFinder {
     std::size_t tested = 0;
   };
 
-  void findInnerSides(const Adjacency& topology) {
-    const TriangleCorners corners(mesh_.triangles);
-    across_.assign(mesh_.triangles.size() * 3, -1);
-    parallelRanges(topology.edgeCount(), kEdgesPerTask, [&](const auto& range) {
-      context_.checkCancelled();
-      for (Index e = range.begin(); e != range.end(); ++e) {
-        const auto sides = topology.sidesOf(e);
-        if (sides.size() != 2 || corners.beginOf(sides[0]) == corners.beginOf(sides[1])) continue;
-        across_[sides[0]] = sides[1] / 3;
-        across_[sides[1]] = sides[0] / 3;
-      }
-    });
-  }
-
   [[nodiscard]] bool isAtBorder(Index t) const {
     return across_[3 * t] < 0 || across_[3 * t + 1] < 0 || across_[3 * t + 2] < 0;
   }
@@ -242,7 +220,7 @@ class OverlapFinder {
   }
 
   [[nodiscard]] bool overlaps(Local& local, Index t, const PlanTriangle& plan, Index o) const {
-    if (shareEdge(t, o)) return false;
+    if (shareEdge(t, o) || areOnOneSheet(t, o)) return false;
     context_.checkCancelled();
     ++local.tested;
     return local.geometry.overlap(plan, planOf(o));
@@ -295,15 +273,46 @@ class OverlapFinder {
     return wasted < kMostParts ? static_cast<Index>(wasted) : kMostParts;
   }
 
-  void findParts(const std::vector<Index>& triangles) {
-    parts_.clear();
-    std::size_t needles = 0, count = 0;
+  [[nodiscard]] std::size_t countNeedles(const std::vector<Index>& triangles) const {
+    return std::count_if(triangles.begin(), triangles.end(), [&](Index t) { return partCount(t) >= kPartsOfNeedle; });
+  }
+
+  /// Takes away the triangles of flat sheets whose boxes touch that of no other sheet: they overlap nothing.
+  void dropLonelySheets(std::vector<Index>& triangles) const {
+    Index sheets = 0;
+    for (const Index t : triangles) sheets = std::max(sheets, sheet_[t] + 1);
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    std::vector<Tree::Bounds> boxes(sheets, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}});
     for (const Index t : triangles) {
-      const Index own = partCount(t);
-      needles += own >= kPartsOfNeedle ? 1 : 0;
-      count += own;
+      const Tree::Bounds own = boundsOf(t);
+      if (sheet_[t] < 0) {
+        boxes.push_back(own);
+        continue;
+      }
+      Tree::Bounds& all = boxes[sheet_[t]];
+      for (std::size_t k = 0; k < 2; ++k) {
+        all.lower[k] = std::min(all.lower[k], own.lower[k]);
+        all.upper[k] = std::max(all.upper[k], own.upper[k]);
+      }
     }
-    if (needles < kFewNeedles) return;
+    std::vector<Index> all(boxes.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    Tree tree;
+    tree.build(
+        all, [&](Index box) { return boxes[box]; }, context_);
+    std::vector<char> isLonely(sheets, 1);
+    for (Index sheet = 0; sheet < sheets; ++sheet)
+      tree.visitOverlapping(boxes[sheet], [&](Index box) {
+        if (box != sheet) isLonely[sheet] = 0;
+      });
+    triangles.erase(std::remove_if(triangles.begin(), triangles.end(),
+                                   [&](Index t) { return sheet_[t] >= 0 && isLonely[sheet_[t]] != 0; }),
+                    triangles.end());
+  }
+
+  void findParts(const std::vector<Index>& triangles) {
+    std::size_t count = 0;
+    for (const Index t : triangles) count += partCount(t);
     Index most = kMostParts;
     for (; most > 1 && count > kParts + 4 * triangles.size(); most /= 2) {
       count = 0;
@@ -386,8 +395,12 @@ class OverlapFinder {
     return across_[3 * s] == t || across_[3 * s + 1] == t || across_[3 * s + 2] == t;
   }
 
+  /// Triangles of a sheet that covers no place twice do not overlap.
+  [[nodiscard]] bool areOnOneSheet(Index s, Index t) const {
+    return !sheet_.empty() && sheet_[s] >= 0 && sheet_[s] == sheet_[t];
+  }
+
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256;
-  static constexpr Index kEdgesPerTask = 2048;
   static constexpr std::size_t kVerticesPerTask = 2048;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
@@ -395,6 +408,7 @@ class OverlapFinder {
 
   const WalkableMesh& mesh_;
   RunContext& context_;
+  const PlanKernel& kernel_;
   PerThread<Local> locals_;
   UnfilledArray<PlanPlace> places_;  ///< of the vertices: a third of what they take, and looked up all the time
   std::vector<Index> across_;        ///< for each side the triangle beyond it when it is inner, else -1
@@ -404,6 +418,9 @@ class OverlapFinder {
     Tree::Bounds bounds;
   };
 
+  std::vector<Index> sheet_;  ///< findFlatSheets(); empty where there are few needles
+  std::size_t decisions_ = 0;
+  ExactFallbacks sheetFallbacks_;
   Tree others_;  ///< those that are not looked up at first
   Tree partTree_;
   std::vector<Part> parts_;     ///< empty: triangles are not cut
@@ -423,14 +440,6 @@ std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, cons
   const bool isComplete = finder.findAll(topology, most);
   if (tested != nullptr) *tested = finder.tested();
   if (!isComplete) return std::nullopt;  // where it stopped is a matter of threads: not even fall-backs are told
-  return finder.take(fallbacks);
-}
-
-std::vector<Pair> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount, const PlanKernel& kernel,
-                                         const WalkableMesh& mesh, const Adjacency& topology, RunContext& context,
-                                         ExactFallbacks& fallbacks) {
-  OverlapFinder finder(kernel, mesh, context);
-  finder.findWithin(topology, region, regionCount);
   return finder.take(fallbacks);
 }
 

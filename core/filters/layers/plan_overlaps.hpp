@@ -14,17 +14,12 @@
 namespace footfall::detail {
 
 /// All pairs of triangles whose insides overlap in the plan, exactly; each once, in no particular order. Empty when
-/// there are more than `most`. `tested` (may be null) gets the number of pairs that were tested exactly.
+/// there are more than `most`. `tested` (may be null) gets the number of pairs that were
+/// tested exactly, and of exact decisions about outlines.
 std::optional<std::vector<std::array<Index, 2>>> findPlanOverlaps(const PlanKernel& kernel, const WalkableMesh& mesh,
                                                                   const Adjacency& topology, std::size_t most,
                                                                   RunContext& context, ExactFallbacks& fallbacks,
                                                                   std::size_t* tested = nullptr);
-
-/// The pairs of which both triangles belong to one region, by findRegions().
-std::vector<std::array<Index, 2>> findPlanOverlapsWithin(const std::vector<Index>& region, Index regionCount,
-                                                         const PlanKernel& kernel, const WalkableMesh& mesh,
-                                                         const Adjacency& topology, RunContext& context,
-                                                         ExactFallbacks& fallbacks);
 
 /// The same, when the pairs of an earlier mesh are known.
 std::vector<std::array<Index, 2>> updatePlanOverlaps(const std::vector<std::array<Index, 2>>& before,
