@@ -137,4 +137,11 @@ SurfacePlace PlaceIndex::nearestInside(const Vec3& p, std::uint32_t triangle) co
   return place;
 }
 
+SurfacePlace PlaceIndex::placeInside(const Vec3& p, std::uint32_t triangle) const {
+  const auto f = cornersOf(mesh_, triangle);
+  SurfacePlace place{moveInside(f, p), triangle, 0};
+  place.position.z = heightAt(f, place.position);
+  return place;
+}
+
 }  // namespace footfall::detail

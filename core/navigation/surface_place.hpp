@@ -30,6 +30,10 @@ class PlaceIndex {
   /// The place in a triangle that is nearest to `p`, or as good as nearest where rounding left it outside.
   [[nodiscard]] SurfacePlace nearestInside(const Vec3& p, std::uint32_t triangle) const;
 
+  /// The place in a triangle at `p` in the plan, whose height is not used; moved into the triangle where rounding left
+  /// it outside. Its distance is 0.
+  [[nodiscard]] SurfacePlace placeInside(const Vec3& p, std::uint32_t triangle) const;
+
  private:
   const NavigationMesh& mesh_;
   const SurfaceTopology& topology_;
