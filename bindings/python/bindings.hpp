@@ -13,5 +13,6 @@ void bindRuns(pybind11::module_& module);
 void bindPaths(pybind11::module_& module);
 void bindInspection(pybind11::module_& module);
 void bindComparison(pybind11::module_& module);
+void bindGround(pybind11::module_& module);
 
 }  // namespace footfall::python

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,12 +14,63 @@
 #include "definitions.hpp"
 #include "footfall/compare.hpp"
 #include "interruptible.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
 namespace {
 
-using SharedComparison = std::shared_ptr<MeshComparison>;
+/// A comparison, and what was compared.
+struct ComparedMeshes {
+  MeshComparison result;
+  std::array<std::string, 2> labels;
+};
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+std::string verdictOf(const MeshComparison& c) {
+  if (c.equal()) return "Equal: both are the same set of points, exactly.";
+  if (!c.sets.hasArea[0]) return "Different: B holds all of A, exactly, and more.";
+  if (!c.sets.hasArea[1]) return "Different: A holds all of B, exactly, and more.";
+  return "Different as exact sets: neither holds the other.";
+}
+
+/// A report for people.
+std::string textOf(const ComparedMeshes& compared) {
+  const MeshComparison& c = compared.result;
+  std::string text;
+  for (const std::size_t i : {0, 1}) {
+    const MeshPart& whole = c.meshes[i].whole;
+    text += std::string(i == 0 ? "A: " : "B: ") + compared.labels[i] + ": " + std::to_string(whole.triangles) +
+            " triangles, area " + number(whole.areas.surface) + "\n";
+  }
+  text += verdictOf(c) + "\n";
+  text += "exact: area in A only " + number(c.sets.areas[0].surface) + ", in B only " +
+          number(c.sets.areas[1].surface) + ", in both " + number(c.sets.areas[2].surface) + "\n";
+  text += "heights within " + number(c.height) + ": area of A that B does not cover " +
+          number(c.meshes[0].whole.uncovered.surface) + ", of B that A does not cover " +
+          number(c.meshes[1].whole.uncovered.surface) + "\n";
+  if (c.distances)
+    text += "distance: no point of A is farther than " + number((*c.distances)[0].upper) +
+            " from B, none of B farther than " + number((*c.distances)[1].upper) + " from A\n";
+  if (!c.hasEqualLinks() || !c.equalDrops)
+    text += std::string("links: ") + (c.hasEqualLinks() ? "the same steps and gaps" : "other steps or gaps") + ", " +
+            (c.equalDrops ? "the same drops" : "other drops") + "\n";
+  text.pop_back();
+  return text;
+}
+
+/// The same as before under an older name, which could be mistaken for what is uncovered within a height.
+template <std::size_t Part>
+double olderArea(const ComparedMeshes& c, const char* older, const char* newer) {
+  const std::string text = std::string("Comparison.") + older + " is the area in exact sets; use Comparison." + newer;
+  if (PyErr_WarnEx(PyExc_DeprecationWarning, text.c_str(), 1) != 0) throw py::error_already_set();
+  return c.result.sets.areas[Part].surface;
+}
 
 /// One of the two meshes of a comparison, or one of its layers.
 void bindParts(py::module_& module) {
@@ -36,7 +88,8 @@ void bindParts(py::module_& module) {
           "plan_area", [](const MeshPart& p) { return p.areas.plan; }, "Seen from above.")
       .def_property_readonly(
           "uncovered_area", [](const MeshPart& p) { return p.uncovered.surface; },
-          "Of what the other mesh does not cover, heights differing by `Comparison.height` at most.")
+          R"(The area of this part over or under which the other mesh has nothing within `Comparison.height`. It is about 0
+where this part lies inside the other mesh, however large that is.)")
       .def_property_readonly(
           "uncovered_plan_area", [](const MeshPart& p) { return p.uncovered.plan; }, "The same seen from above.")
       .def("__repr__", [](const MeshPart& p) {
@@ -69,54 +122,83 @@ py::object distancesOf(const MeshComparison& comparison, std::size_t from) {
   return py::cast((*comparison.distances)[from]);
 }
 
+void bindFigures(py::class_<ComparedMeshes, std::shared_ptr<ComparedMeshes>>& type) {
+  using C = const ComparedMeshes&;
+  type.def_property_readonly(
+          "equal", [](C c) { return c.result.equal(); },
+          "Whether both are the same set of points, exactly, whatever their triangulation.")
+      .def_property_readonly(
+          "exact_only_a", [](C c) { return c.result.sets.areas[0].surface; },
+          R"(The area of the surface of A of which no point is on B, exactly; 0.0 only where there is none. Rounding moves
+sloped ground into another plane, so two results of one level can differ here by all their sloped ground; `uncovered_a`
+is what B lacks as people see it.)")
+      .def_property_readonly(
+          "exact_only_b", [](C c) { return c.result.sets.areas[1].surface; },
+          "The area of the surface of B of which no point is on A, exactly.")
+      .def_property_readonly(
+          "exact_both", [](C c) { return c.result.sets.areas[2].surface; },
+          "The area of the surface that is on both, exactly.")
+      .def_property_readonly(
+          "uncovered_a", [](C c) { return c.result.meshes[0].whole.uncovered.surface; },
+          "The area of A over or under which B has nothing within `height`.")
+      .def_property_readonly(
+          "uncovered_b", [](C c) { return c.result.meshes[1].whole.uncovered.surface; },
+          "The area of B over or under which A has nothing within `height`.")
+      .def_property_readonly(
+          "only_a", [](C c) { return olderArea<0>(c, "only_a", "exact_only_a"); }, "The older name of `exact_only_a`.")
+      .def_property_readonly(
+          "only_b", [](C c) { return olderArea<1>(c, "only_b", "exact_only_b"); }, "The older name of `exact_only_b`.")
+      .def_property_readonly(
+          "both", [](C c) { return olderArea<2>(c, "both", "exact_both"); }, "The older name of `exact_both`.")
+      .def_property_readonly(
+          "equal_links", [](C c) { return c.result.hasEqualLinks(); }, "Whether both have the same steps, exactly.")
+      .def_property_readonly(
+          "equal_drops", [](C c) { return c.result.equalDrops; },
+          "Whether both have the same drops: the same starts and landings, exactly.")
+      .def_property_readonly(
+          "link_lengths", [](C c) { return c.result.links.lengths; },
+          "The lengths of steps in the plan, a list of three: of those only in A, only in B, and in both.")
+      .def_property_readonly(
+          "covered", [](C c) { return c.result.covered(); },
+          "The share of A that B covers, heights differing by `height` at most: 0 to 1. It is 1 where B holds more.")
+      .def_property_readonly(
+          "area_ratio", [](C c) { return c.result.areaRatio(); }, "Area of B over area of A; None for an empty A.")
+      .def_property_readonly(
+          "height", [](C c) { return c.result.height; },
+          "How far heights may differ for `covered`, `uncovered_a` and `uncovered_b`.");
+}
+
 }  // namespace
 
 void bindComparison(py::module_& module) {
   bindParts(module);
-  py::class_<MeshComparison, SharedComparison>(
-      module, "Comparison", "How two meshes A and B differ, as exact sets of points and by distances.")
-      .def_property_readonly("equal", &MeshComparison::equal,
-                             "Whether both are the same set of points, exactly, whatever their triangulation.")
+  using C = const ComparedMeshes&;
+  py::class_<ComparedMeshes, std::shared_ptr<ComparedMeshes>> type(
+      module, "Comparison",
+      R"(How two meshes A and B differ. str(comparison) is a report for people.
+
+Three measures stand side by side. As exact sets of points in space: `equal`, `exact_only_a`, `exact_only_b`,
+`exact_both`. Seen from above, with heights that may differ by `height`: `uncovered_a`, `uncovered_b`, `covered`. By
+distances: `a_to_b`, `b_to_a`.)");
+  bindFigures(type);
+  type.def_property_readonly(
+          "a", [](C c) { return c.result.meshes[0].whole; }, "A `ComparedPart`.")
       .def_property_readonly(
-          "only_a", [](const MeshComparison& c) { return c.sets.areas[0].surface; },
-          "The area of the surface that is in A only; exactly 0.0 only where there is none.")
+          "b", [](C c) { return c.result.meshes[1].whole; }, "A `ComparedPart`.")
       .def_property_readonly(
-          "only_b", [](const MeshComparison& c) { return c.sets.areas[1].surface; },
-          "The area of the surface that is in B only.")
+          "layers_a", [](C c) { return c.result.meshes[0].layers; }, "The layers of A: a list of `ComparedPart`.")
       .def_property_readonly(
-          "both", [](const MeshComparison& c) { return c.sets.areas[2].surface; },
-          "The area of the surface that is in both.")
-      .def_property_readonly("equal_links", &MeshComparison::hasEqualLinks,
-                             "Whether both have the same steps, exactly.")
+          "layers_b", [](C c) { return c.result.meshes[1].layers; }, "The layers of B: a list of `ComparedPart`.")
       .def_property_readonly(
-          "equal_drops", [](const MeshComparison& c) { return c.equalDrops; },
-          "Whether both have the same drops: the same starts and landings, exactly.")
-      .def_property_readonly(
-          "link_lengths", [](const MeshComparison& c) { return c.links.lengths; },
-          "The lengths of steps in the plan, a list of three: of those only in A, only in B, and in both.")
-      .def_property_readonly("covered", &MeshComparison::covered,
-                             "The share of A that B covers, heights differing by `height` at most: 0 to 1.")
-      .def_property_readonly("area_ratio", &MeshComparison::areaRatio, "Area of B over area of A; None for an empty A.")
-      .def_property_readonly(
-          "height", [](const MeshComparison& c) { return c.height; }, "What `covered` allows.")
-      .def_property_readonly(
-          "a", [](const MeshComparison& c) { return c.meshes[0].whole; }, "A `ComparedPart`.")
-      .def_property_readonly(
-          "b", [](const MeshComparison& c) { return c.meshes[1].whole; }, "A `ComparedPart`.")
-      .def_property_readonly(
-          "layers_a", [](const MeshComparison& c) { return c.meshes[0].layers; },
-          "The layers of A: a list of `ComparedPart`.")
-      .def_property_readonly(
-          "layers_b", [](const MeshComparison& c) { return c.meshes[1].layers; },
-          "The layers of B: a list of `ComparedPart`.")
-      .def_property_readonly(
-          "a_to_b", [](const MeshComparison& c) { return distancesOf(c, 0); },
+          "a_to_b", [](C c) { return distancesOf(c.result, 0); },
           "`Distances` from A to B; None where a mesh is empty.")
       .def_property_readonly(
-          "b_to_a", [](const MeshComparison& c) { return distancesOf(c, 1); },
+          "b_to_a", [](C c) { return distancesOf(c.result, 1); },
           "`Distances` from B to A; None where a mesh is empty.")
-      .def("__repr__", [](const MeshComparison& c) {
-        return std::string("<footfall.Comparison: ") + (c.equal() ? "equal" : "different") + ">";
+      .def("__str__", [](C c) { return shownText(textOf(c)); })
+      .def("__repr__", [](C c) {
+        return shownText("<footfall.Comparison of " + c.labels[0] + " with " + c.labels[1] + ": " +
+                         (c.result.equal() ? "equal" : "different") + ">");
       });
 
   define(
@@ -124,7 +206,8 @@ void bindComparison(py::module_& module) {
       [](const std::shared_ptr<Mesh>& a, const std::shared_ptr<Mesh>& b, std::optional<double> height,
          std::optional<double> error, const py::object& progress) {
         return interruptible(progress, [&](RunContext& context) {
-          return std::make_shared<MeshComparison>(compareMeshes(*a->data, *b->data, {height, error}, &context));
+          return std::make_shared<ComparedMeshes>(
+              ComparedMeshes{compareMeshes(*a->data, *b->data, {height, error}, &context), {a->label, b->label}});
         });
       },
       R"(Compare two meshes and return a `Comparison`.
@@ -134,8 +217,8 @@ height: how far heights may differ where one still covers the other; None: hardl
     coordinate.
 error: how close the bounds of `Distances.hausdorff` are to be; None: a thousandth of the diagonal.
 progress: as for `run`. Raises InputError for a height or error that is out of range.)",
-      py::arg("a"), py::arg("b"), py::kw_only(), py::arg("height") = py::none(), py::arg("error") = py::none(),
-      py::arg("progress") = py::none());
+      py::arg("a").none(false), py::arg("b").none(false), py::kw_only(), py::arg("height") = py::none(),
+      py::arg("error") = py::none(), py::arg("progress") = py::none());
 }
 
 }  // namespace footfall::python

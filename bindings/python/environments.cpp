@@ -22,6 +22,8 @@
 #include "footfall/io.hpp"
 #include "footfall/up_axis.hpp"
 #include "interruptible.hpp"
+#include "pickling.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
@@ -57,9 +59,10 @@ SharedEnvironment loadFile(const std::filesystem::path& path, const std::optiona
 }
 
 /// The mesh and the material of each part.
-std::vector<std::pair<std::string, std::string>> partsOf(const Environment& environment) {
-  std::vector<std::pair<std::string, std::string>> parts;
-  for (const EnvironmentPart& part : environment.parts) parts.emplace_back(part.mesh, part.material);
+py::list partsOf(const Environment& environment) {
+  py::list parts;
+  for (const EnvironmentPart& part : environment.parts)
+    parts.append(py::make_tuple(shownText(part.mesh), shownText(part.material)));
   return parts;
 }
 
@@ -80,9 +83,9 @@ std::shared_ptr<Environment> withRoles(const SharedEnvironment& level, const py:
   return changed;
 }
 
-std::string shown(const Environment& environment) {
-  return "<footfall.Environment " + environment.source + ": " + std::to_string(environment.vertices.size()) +
-         " vertices, " + std::to_string(environment.triangles.size()) + " triangles>";
+py::str shown(const Environment& environment) {
+  return shownText("<footfall.Environment " + environment.source + ": " + std::to_string(environment.vertices.size()) +
+                   " vertices, " + std::to_string(environment.triangles.size()) + " triangles>");
 }
 
 }  // namespace
@@ -122,8 +125,9 @@ Arrays are views without a copy that cannot be written to, and keep what they sh
   defineConstructor(
       environment,
       [](const py::object& vertices, const py::object& triangles, const std::string& up, double metresPerUnit,
-         bool bothSides, const py::object& obstacleOnly, const std::string& name) {
-        return held(environmentFrom(vertices, triangles, {up, metresPerUnit, bothSides, obstacleOnly, name}));
+         bool bothSides, const py::object& obstacleOnly, const py::str& name) {
+        return held(environmentFrom(vertices, triangles,
+                                    {up, metresPerUnit, bothSides, obstacleOnly, bytesOfName(name, "name")}));
       },
       R"(Make an environment from arrays, which are copied.
 
@@ -150,7 +154,7 @@ numbers of vertices that do not exist.)",
           [](const std::shared_ptr<Environment>& e) { return viewOf(e->triangles, baseOf<Environment>(e)); },
           "Shape (m, 3), uint32: rows of `vertices`. A view.")
       .def_property_readonly(
-          "source", [](const Environment& e) { return e.source; }, "The file, or the name given.")
+          "source", [](const Environment& e) { return fileNameOf(e.source); }, "The file, or the name given.")
       .def_property_readonly(
           "up", [](const Environment& e) { return nameOf(e.up); }, "The up axis of the file: \"z\", \"-y\", ...")
       .def_property_readonly(
@@ -186,7 +190,9 @@ numbers of vertices that do not exist.)",
       .def_property_readonly(
           "skipped_polygons", [](const Environment& e) { return e.skipped.polygons; },
           "How many polygons of the file were left out, having fewer than three distinct corners.")
-      .def("__repr__", &shown);
+      .def("__repr__", &shown)
+      .def(py::pickle([](const Environment& e) { return stateOf(e); }, &environmentFromState));
+  defineCopies(environment);
   define(
       environment, "pipeline_for",
       [](const Environment& level, double slope, double height, double minimumArea, double step, double gap,
@@ -250,7 +256,7 @@ all runs then computes only what the change can affect. The result is that of a 
   defineConstructor(
       editable,
       [](std::shared_ptr<Environment> level) { return std::make_unique<EditableEnvironment>(std::move(level)); },
-      "Begin with an `Environment`.", py::arg("environment"));
+      "Begin with an `Environment`.", py::arg("environment").none(false));
   editable.def_property_readonly(
       "environment", [](const EditableEnvironment& level) { return held(level.environment()); },
       "The `Environment` as it is now. One that was taken earlier stays as it was.");

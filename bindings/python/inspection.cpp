@@ -16,6 +16,8 @@
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
 #include "interruptible.hpp"
+#include "pickling.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
@@ -69,27 +71,12 @@ void bindComponents(py::module_& module) {
           "Of mass: shape (3,); it may lie beside the component.")
       .def_property_readonly(
           "layers", [](const Component& c) { return c.layers; }, "That it has a part in: a list of int.")
-      .def("__repr__", [](const Component& c) {
-        return "<footfall.Component: area " + std::string(py::str(py::float_(c.area))) + ", " +
-               std::to_string(c.triangles) + " triangles>";
-      });
-  py::class_<Components, std::shared_ptr<Components>>(
-      module, "Components",
-      "The connected parts of a walkable area, the largest first: len(c) counts them, c[i] is a `Component`.")
-      .def("__len__", [](const Components& c) { return c.list.size(); })
-      .def("__getitem__",
-           [](const Components& c, py::ssize_t i) {
-             const auto count = static_cast<py::ssize_t>(c.list.size());
-             if (i < -count || i >= count) throw py::index_error("there are " + std::to_string(count) + " components");
-             return c.list[static_cast<std::size_t>(i < 0 ? i + count : i)];
-           })
-      .def_property_readonly(
-          "of_triangle",
-          [](const std::shared_ptr<Components>& c) { return viewOf(c->ofTriangle, baseOf<Components>(c)); },
-          "Shape (m,), uint32: of each triangle of the mesh the component that it is in. A view.")
-      .def_property_readonly("total_area", &Components::totalArea, "Of all of them.")
       .def("__repr__",
-           [](const Components& c) { return "<footfall.Components: " + std::to_string(c.list.size()) + ">"; });
+           [](const Component& c) {
+             return "<footfall.Component: area " + std::string(py::str(py::float_(c.area))) + ", " +
+                    std::to_string(c.triangles) + " triangles>";
+           })
+      .def(py::pickle([](const Component& c) { return stateOf(c); }, &componentFromState));
 }
 
 void bindExplanation(py::module_& module) {
@@ -154,7 +141,7 @@ void bindExplanation(py::module_& module) {
             return e.answer.component;
           },
           "Where it is walkable: its place in `NavigationMesh.components()`; None elsewhere.")
-      .def("__str__", [](const Explanation& e) { return formatExplanation(*e.inspector, e.answer); })
+      .def("__str__", [](const Explanation& e) { return shownText(formatExplanation(*e.inspector, e.answer)); })
       .def("__repr__", [](const Explanation& e) {
         return "<footfall.Explanation " + std::string(verdictWord(e.answer.verdict)) +
                (e.filter ? " (" + *e.filter + ")" : std::string()) + ">";
@@ -170,11 +157,13 @@ void bindInspection(py::module_& module) {
   define(
       mesh, "components",
       [](const std::shared_ptr<Mesh>& m) {
-        return interruptible(py::none(), [&data = m->data](RunContext& context) {
-          return std::make_shared<Components>(findComponents(*data, &context));
+        const auto found = interruptible(py::none(), [&data = m->data](RunContext& context) {
+          return std::make_shared<const Components>(findComponents(*data, &context));
         });
+        return py::module_::import("footfall")
+            .attr("Components")(found->list, viewOf(found->ofTriangle, baseOf(found)));
       },
-      "Return the connected parts, `Components`: an agent gets from a triangle to all others of its part.");
+      "Return the connected parts, a list, `Components`: an agent gets from a triangle to all others of its part.");
   auto area = static_cast<py::class_<Area, Mesh, std::shared_ptr<Area>>>(module.attr("WalkableArea"));
   define(area, "why", &explain,
          R"(Return why a place is walkable or not: an `Explanation`, exactly, from what each step of the run did.

@@ -2,9 +2,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <pybind11/pybind11.h>
 
+#include <exception>
+
 #include "bindings.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
+#include "texts.hpp"
+
+namespace {
+
+/// Sets an error of Python with a message that may hold the name of a file, which need not be UTF-8.
+void setError(const char* type, const char* message) {
+  const auto text = footfall::python::shownText(message);
+  PyErr_SetObject(pybind11::module_::import("footfall._core").attr(type).ptr(), text.ptr());
+}
+
+void translate(std::exception_ptr exception) {
+  try {
+    if (exception) std::rethrow_exception(exception);
+  } catch (const footfall::InputError& error) {
+    setError("InputError", error.what());
+  } catch (const footfall::RunError& error) {
+    setError("RunError", error.what());
+  }
+}
+
+}  // namespace
 
 PYBIND11_MODULE(_core, module) {
   namespace py = pybind11;
@@ -19,6 +42,8 @@ PYBIND11_MODULE(_core, module) {
   auto& run = py::register_exception<footfall::RunError>(module, "RunError", PyExc_RuntimeError);
   run.doc() = "A result cannot be written, or memory or disk ran out.";
 
+  py::register_exception_translator(&translate);
+
   bindAgents(module);
   bindPipelines(module);
   bindEnvironments(module);
@@ -26,5 +51,6 @@ PYBIND11_MODULE(_core, module) {
   bindPaths(module);
   bindInspection(module);
   bindComparison(module);
+  bindGround(module);
   module.attr("__version__") = footfall::version();
 }

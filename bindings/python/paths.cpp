@@ -26,20 +26,6 @@ py::object placeOf(const std::optional<SurfacePlace>& place) {
   return arrayOf(place->position);
 }
 
-double reachFrom(std::optional<double> reach, double otherwise) {
-  if (reach && !(*reach >= 0)) throw InputError("reach: must be a height that is not negative");
-  return reach.value_or(otherwise);
-}
-
-/// The path finder of a mesh, made once.
-std::shared_ptr<const PathFinder> finderOf(Mesh& mesh) {
-  if (!mesh.finder)
-    mesh.finder = interruptible(py::none(), [&data = mesh.data](RunContext& context) {
-      return std::make_shared<const PathFinder>(data, &context);
-    });
-  return mesh.finder;
-}
-
 std::shared_ptr<const SeparationFinder> separationsOf(Area& area, const PathFinder& finder) {
   if (!area.separations)
     area.separations = interruptible(py::none(), [&](RunContext& context) {
@@ -204,6 +190,19 @@ those that lack at most twice as much as `barrier`, or a sixteenth of the agent'
 }
 
 }  // namespace
+
+std::shared_ptr<const PathFinder> finderOf(Mesh& mesh) {
+  if (!mesh.finder)
+    mesh.finder = interruptible(py::none(), [&data = mesh.data](RunContext& context) {
+      return std::make_shared<const PathFinder>(data, &context);
+    });
+  return mesh.finder;
+}
+
+double reachFrom(std::optional<double> reach, double otherwise) {
+  if (reach && !(*reach >= 0)) throw InputError("reach: must be a height that is not negative");
+  return reach.value_or(otherwise);
+}
 
 void bindPaths(py::module_& module) {
   bindSeparation(module);

@@ -21,14 +21,48 @@
 #include "footfall/run.hpp"
 #include "footfall/up_axis.hpp"
 #include "interruptible.hpp"
+#include "pickling.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
 namespace {
 
+std::string statisticsTextOf(const Area& area) {
+  return area.statistics ? *area.statistics : formatStatistics(*area.environment, area.result);
+}
+
+std::string summaryOf(const Area& area) {
+  return area.summary ? *area.summary : formatSummary(*area.environment, area.result);
+}
+
+py::dict areaState(const Area& area) {
+  py::dict state = stateOf(*area.data);
+  state["environment"] = held(area.environment);
+  state["pipeline"] = area.pipeline;
+  state["area"] = area.result.summary.area;
+  state["threads"] = area.result.threads;
+  state["statistics"] = py::bytes(statisticsTextOf(area));
+  state["summary"] = py::bytes(summaryOf(area));
+  return state;
+}
+
+std::shared_ptr<Area> areaFromState(const py::dict& state) {
+  auto area = std::make_shared<Area>();
+  area->data = area->result.mesh = meshFromState(state);
+  area->environment = py::cast<std::shared_ptr<Environment>>(state["environment"]);
+  area->label = labelOf(*area->environment);
+  area->pipeline = py::cast<Pipeline>(state["pipeline"]);
+  area->result.summary.area = py::cast<double>(state["area"]);
+  area->result.threads = py::cast<int>(state["threads"]);
+  area->statistics = std::string(py::cast<py::bytes>(state["statistics"]));
+  area->summary = std::string(py::cast<py::bytes>(state["summary"]));
+  return area;
+}
+
 /// The statistics of a run as Python's own objects.
 py::object statisticsOf(const Area& area) {
-  return py::module_::import("json").attr("loads")(formatStatistics(*area.environment, area.result));
+  return py::module_::import("json").attr("loads")(shownText(statisticsTextOf(area)));
 }
 
 double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header,
@@ -66,11 +100,6 @@ std::shared_ptr<Mesh> meshFrom(const py::object& vertices, const py::object& tri
     for (const std::uint32_t layer : mesh->layers) mesh->layerCount = std::max(mesh->layerCount, layer + 1);
   }
   return std::make_shared<Mesh>(Mesh{std::move(mesh)});
-}
-
-std::string sizesOf(const NavigationMesh& mesh) {
-  return std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.triangles.size()) + " triangles, " +
-         std::to_string(mesh.layerCount) + " layers";
 }
 
 py::array_t<std::uint32_t> linksOf(const Mesh& mesh) {
@@ -204,7 +233,7 @@ edge and the one in which one lands.)")
 places where one lands from them; in between both move evenly.)")
       .def_property_readonly("drop_depths", &dropDepthsOf, "Shape (k,), float64: how deep each of `drops` is, at most.")
       .def_property_readonly(
-          "source", [](const Mesh& m) { return m.data->frame.source; },
+          "source", [](const Mesh& m) { return fileNameOf(m.data->frame.source); },
           "The file of the environment; empty where there was none.")
       .def_property_readonly(
           "up", [](const Mesh& m) { return nameOf(m.data->frame.up); },
@@ -212,7 +241,17 @@ places where one lands from them; in between both move evenly.)")
       .def_property_readonly(
           "metres_per_unit", [](const Mesh& m) { return m.data->frame.metresPerUnit; },
           "Metres for each unit of the coordinates.")
-      .def("__repr__", [](const Mesh& m) { return "<footfall.NavigationMesh: " + sizesOf(*m.data) + ">"; });
+      .def("__repr__", [](const Mesh& m) { return "<footfall.NavigationMesh: " + sizesOf(*m.data) + ">"; })
+      .def(py::pickle(
+          [](const Mesh& m) {
+            py::dict state = stateOf(*m.data);
+            state["label"] = py::bytes(m.label);
+            return state;
+          },
+          [](const py::dict& state) {
+            return std::make_shared<Mesh>(Mesh{meshFromState(state), nullptr, py::cast<py::bytes>(state["label"])});
+          }));
+  defineCopies(mesh);
   defineSave(
       mesh,
       R"(Write the mesh, in the format that the ending of `path` asks for: OBJ (.obj) in the frame and units of the
@@ -235,10 +274,13 @@ where the file cannot be written.)",
       module, "read_mesh",
       [](const std::filesystem::path& path, const std::optional<std::string>& up) {
         const std::optional<UpAxis> axis = upAxisFrom(up);
-        return std::make_shared<Mesh>(Mesh{interruptible(py::none(), [&](RunContext& context) {
-          NavigationMeshFile file = readNavigationMesh(path.string(), axis, UpAxis::Y, &context);
-          return std::make_shared<const NavigationMesh>(std::move(file.mesh));
-        })});
+        return std::make_shared<Mesh>(
+            Mesh{interruptible(py::none(),
+                               [&](RunContext& context) {
+                                 NavigationMeshFile file = readNavigationMesh(path.string(), axis, UpAxis::Y, &context);
+                                 return std::make_shared<const NavigationMesh>(std::move(file.mesh));
+                               }),
+                 nullptr, "mesh of " + path.string()});
       },
       R"(Read a navigation mesh from an OBJ: one that Footfall wrote, with its layers, or any other surface; return a
 `NavigationMesh`.
@@ -261,10 +303,12 @@ table of the run for people.)");
       .def_property_readonly(
           "area", [](const Area& a) { return a.result.summary.area; },
           "Of the surface, rounded, in the square of the environment's unit.")
-      .def("__str__", [](const Area& a) { return formatSummary(*a.environment, a.result); })
-      .def("__repr__", [](const Area& a) {
-        return "<footfall.WalkableArea of " + a.environment->source + ": " + sizesOf(*a.data) + ">";
-      });
+      .def("__str__", [](const Area& a) { return shownText(summaryOf(a)); })
+      .def("__repr__",
+           [](const Area& a) {
+             return shownText("<footfall.WalkableArea of " + a.environment->source + ": " + sizesOf(*a.data) + ">");
+           })
+      .def(py::pickle(&areaState, &areaFromState));
   define(
       area, "statistics", &statisticsOf,
       R"(Return what each step did and what it took: a dict with the keys of `footfall run --stats`, such as "steps" (a
@@ -308,7 +352,7 @@ progress: called as progress(step, name, fraction), in the calling thread: a ste
 
 Other Python threads go on meanwhile. Ctrl-C cancels the run and raises KeyboardInterrupt; the cache keeps what
 was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
-      py::arg("environment"), py::arg("pipeline") = py::none(), py::kw_only(), py::arg("threads") = 0,
+      py::arg("environment").none(false), py::arg("pipeline") = py::none(), py::kw_only(), py::arg("threads") = 0,
       py::arg("cache") = py::none(), py::arg("progress") = py::none());
 
   define(
@@ -350,6 +394,13 @@ Raises InputError for arrays or numbers that are wrong, and RunError.)",
 
 }  // namespace
 
+std::string sizesOf(const NavigationMesh& mesh) {
+  return std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.triangles.size()) + " triangles, " +
+         std::to_string(mesh.layerCount) + " layers";
+}
+
+std::string labelOf(const Environment& environment) { return "walkable area of " + environment.source; }
+
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress) {
   if (threads < 0) throw InputError("threads: " + std::to_string(threads) + " is no number of threads; give 0 or more");
@@ -357,6 +408,7 @@ std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeli
   area->result = interruptible(
       progress, [&](RunContext& context) { return runPipeline(environment, pipeline, context, cache.get(), threads); });
   area->data = area->result.mesh;
+  area->label = labelOf(*environment);
   area->environment = std::move(environment);
   area->pipeline = std::move(pipeline);
   area->cache = std::move(cache);

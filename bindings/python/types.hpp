@@ -31,6 +31,7 @@ std::shared_ptr<Type> held(std::shared_ptr<const Type> shared) {
 struct Mesh {
   std::shared_ptr<const NavigationMesh> data;
   std::shared_ptr<const PathFinder> finder = nullptr;
+  std::string label = "mesh of arrays";  ///< in reports
 };
 
 /// The result of a run: its mesh, and what it was made from.
@@ -41,7 +42,22 @@ struct Area : Mesh {
   std::shared_ptr<ResultCache> cache;
   std::shared_ptr<const SeparationFinder> separations = nullptr;
   std::shared_ptr<const Inspector> inspector = nullptr;
+  /// What formatStatistics() and formatSummary() said of the run: set for an area from a pickle, whose `result` has
+  /// its mesh, its area and the number of threads only.
+  std::optional<std::string> statistics = std::nullopt, summary = std::nullopt;
 };
+
+/// The path finder of a mesh, made once.
+std::shared_ptr<const PathFinder> finderOf(Mesh& mesh);
+
+/// How far above or below a place may be: what is given, or `otherwise`. Throws InputError.
+double reachFrom(std::optional<double> reach, double otherwise);
+
+/// The numbers of a mesh for people: "4 vertices, 2 triangles, 1 layer".
+std::string sizesOf(const NavigationMesh& mesh);
+
+/// The words for an area in reports.
+std::string labelOf(const Environment& environment);
 
 /// A pipeline from its text, or from a sequence of steps: "SlopeFilter 45" or ("SlopeFilter", 45). Throws InputError.
 Pipeline pipelineFrom(const py::object& given);

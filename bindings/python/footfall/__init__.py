@@ -16,6 +16,7 @@ From files, with filters of your own:
     print(area.why((3, 4, 0)))                       # why is this place walkable, or why not?
     print(area.find_path((3, 4, 0), (10, 2, 3)))     # the shortest path, or what keeps both places apart
     area.components()[0].area                        # the largest part that hangs together
+    area.random_places(100)                          # evenly by area
     footfall.plot(area).savefig("plan.png")          # a picture of each layer, by matplotlib
 
 Shapes and units. Vertices are float64 arrays of shape (n, 3), triangles integers of shape (m, 3): rows of the vertices,
@@ -29,19 +30,19 @@ not depend on the number of threads. Start other processes by "spawn", not by "f
 (multiprocessing.set_start_method).
 
 Errors. `InputError` (a ValueError): a file, an array, a pipeline or a parameter is wrong. `RunError` (a RuntimeError): a
-result cannot be written, or memory or disk ran out. Both say in one line what, where and what to do.
+result cannot be written, or memory or disk ran out. Both say in one line what, where and what to do, and so does a TypeError
+for an argument that there is not or that has another type.
+
+Pickles. Environments, areas, meshes and pipelines can be pickled; an area keeps its environment, and no cache.
 """
 
-import functools
-
-from . import _core
+from . import _arguments, _core, _views
 from ._core import (
     Agent,
     BorderLink,
     ComparedPart,
     Comparison,
     Component,
-    Components,
     Distances,
     EditableEnvironment,
     Environment,
@@ -52,6 +53,8 @@ from ._core import (
     Parameter,
     Path,
     Pipeline,
+    Place,
+    Ray,
     ResultCache,
     RunError,
     WalkableArea,
@@ -66,7 +69,7 @@ from ._core import (
     run,
     walkable_area,
 )
-from ._views import plot, trimesh_dict
+from ._views import Components, plot, trimesh_dict
 
 __all__ = [
     "Agent",
@@ -85,6 +88,8 @@ __all__ = [
     "Parameter",
     "Path",
     "Pipeline",
+    "Place",
+    "Ray",
     "ResultCache",
     "RunError",
     "WalkableArea",
@@ -102,19 +107,14 @@ __all__ = [
 ]
 
 
-def _python_function(native):
-    """A function of Python around one of the module's: help() shows it as one, and pickle finds it by its name."""
-
-    @functools.wraps(native)
-    def function(*args, **kwargs):
-        return native(*args, **kwargs)
-
-    return function
-
-
 # Messages, help() and pickle name things as users import them.
 for _name in __all__:
     globals()[_name].__module__ = __name__
-    if hasattr(_core, _name) and not isinstance(globals()[_name], type):
-        globals()[_name] = _python_function(globals()[_name])
-del _core, _name
+    if not hasattr(_core, _name):
+        continue
+    if isinstance(globals()[_name], type):
+        _arguments.check_methods(globals()[_name])
+    else:
+        globals()[_name] = _arguments.checked(globals()[_name], _name)
+_views.add_methods()
+del _arguments, _core, _name, _views

@@ -329,7 +329,7 @@ class Comparisons(unittest.TestCase):
         b = footfall.NavigationMesh(vertices, [[0, 1, 3], [1, 2, 3]])
         comparison = footfall.compare(a, b)
         self.assertTrue(comparison.equal)
-        self.assertEqual((comparison.only_a, comparison.only_b, comparison.both), (0, 0, 100.0))
+        self.assertEqual((comparison.exact_only_a, comparison.exact_only_b, comparison.exact_both), (0, 0, 100.0))
         self.assertEqual(comparison.covered, 1.0)
         self.assertEqual(comparison.a_to_b.max, 0.0)
 

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 import footfall
 import numpy as np
@@ -102,6 +103,53 @@ class Plot(unittest.TestCase):
             self.assertEqual(sorted(os.listdir(folder)),
                              [f"walkthrough-{name}.png" for name in ("path", "person", "wheelchair")])
         self.assertRegex(run.stdout, r"person: \d+\.\d square units")
+
+    def test_bounds_that_are_no_rectangle(self):
+        area = two_floors()
+        for bounds in ((0, 0, 1), (1, 0, 0, 1), (0, 0, 0, 1), (0, 0, float("nan"), 1), (0, 0, float("inf"), 1), 5, "a"):
+            with self.subTest(bounds), self.assertRaisesRegex(
+                    footfall.InputError, r"^bounds: .* is no rectangle; give \(x0, y0, x1, y1\)"):
+                footfall.plot(area, bounds=bounds)
+
+    def plotted(self, mesh, **options):
+        """The axes of a plot by a stand-in for matplotlib, and the triangles that each of them got."""
+        pyplot = unittest.mock.MagicMock()
+        made = []
+
+        def subplots(rows, columns, **_options):
+            axes = np.empty((rows, columns), object)
+            for i in range(axes.size):
+                axes.flat[i] = unittest.mock.MagicMock()
+            made.append(axes)
+            return unittest.mock.MagicMock(), axes
+
+        pyplot.subplots = subplots
+        package = unittest.mock.MagicMock(pyplot=pyplot)
+        with unittest.mock.patch.dict("sys.modules", {"matplotlib": package, "matplotlib.pyplot": pyplot}):
+            footfall.plot(mesh, **options)
+        return [(axis, axis.tripcolor.call_args) for axis in made[0].flat]
+
+    def test_bounds(self):
+        area = two_floors()
+        vertices = np.asarray(area.vertices)
+        for axis, call in self.plotted(area, bounds=(6, 0, 10, 10)):
+            axis.set_xlim.assert_called_once_with(6, 10)
+            axis.set_ylim.assert_called_once_with(0, 10)
+            if call is not None:
+                self.assertTrue((vertices[call.args[2]][:, :, 0].max(axis=1) >= 6).all())
+                self.assertEqual((call.kwargs["vmin"], call.kwargs["vmax"]), (0, 1e-9))  # the upper floor is outside
+        self.assertEqual(sum(call is not None for _, call in self.plotted(area, bounds=(6, 0, 10, 10))), 1)
+        self.assertEqual(sum(call is not None for _, call in self.plotted(area, bounds=(50, 50, 60, 60))), 0)
+        for axis, call in self.plotted(area):
+            axis.set_xlim.assert_not_called()
+            self.assertIsNotNone(call)
+
+    def test_a_mesh_of_one_point(self):
+        point = footfall.NavigationMesh([(1, 1, 1)], [(0, 0, 0)])
+        with np.errstate(all="raise"):
+            self.plotted(point, bounds=(0, 0, 1, 1))
+            self.plotted(point)
+            self.plotted(footfall.walkable_area(*scenes.floor(), minimum_area=1000), bounds=(0, 0, 1, 1))
 
     @unittest.skipIf(importlib.util.find_spec("matplotlib"), "matplotlib is installed")
     def test_without_matplotlib(self):
