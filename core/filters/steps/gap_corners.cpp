@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <map>
 #include <utility>
 
 #include "core/base/geometry.hpp"
@@ -15,6 +16,14 @@ namespace {
 
 /// A search ends after so many triangles on either side: then a link stays that may not be needed.
 constexpr std::size_t kMostTriangles = 256;
+/// Cells are as wide as half of what is right there: what is within so much of that from a cell's middle is right there
+/// from all of the cell, whose corners are 0.354 from its middle.
+constexpr double kEverywhere = 0.64;
+constexpr double kMostCells = 0x1p30;
+/// A cell is grouped after so many searches in it, and again after twice as many each time.
+constexpr std::size_t kFirstSearches = 4;
+/// A group ends after so many triangles: others are searched for one by one.
+constexpr std::size_t kMostGrouped = 2048;
 constexpr std::size_t kPolled = 1024;
 constexpr Index kEdgesPolled = 1 << 16;
 
@@ -24,6 +33,7 @@ class Neighbourhood {
   Neighbourhood(const std::vector<StepStretch>& steps, const BorderSplits& splits, double reach, Poll poll)
       : splits_(splits),
         reach_(reach),
+        side_(reach / 2),
         borderAt_(3 * splits.mesh().triangles.size(), -1),
         beyond_(borderAt_.size(), -1),
         stamps_(splits.mesh().triangles.size(), 0),
@@ -44,9 +54,61 @@ class Neighbourhood {
   }
   void add(const GapStretch& gap) { add(gapWay(splits_, gap.first, gap.second, gap.piece.frame, gap.piece.ends)); }
 
-  /// Searches from both sides take turns. Where one has seen all that hangs together with it, they are apart.
+  /// True where one gets from one side to the other right there.
   [[nodiscard]] bool joins(const GapStretch& gap) {
     const Vec3& place = *gap.piece.corner;
+    const Index first = triangleOf(gap.first), second = triangleOf(gap.second);
+    const double column = std::floor(place.x / side_), row = std::floor(place.y / side_);
+    if (!(std::max(std::fabs(column), std::fabs(row)) < kMostCells)) return search(first, second, place);
+    Cell& cell = cells_[{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)}];
+    const Index group = cell.groupOf(first);
+    if (group >= 0 && group == cell.groupOf(second)) return true;
+    if (!search(first, second, place)) return false;
+    if (++cell.searches == cell.next) {
+      cell.next *= 2;
+      addGroup(cell, first, {(column + 0.5) * side_, (row + 0.5) * side_, 0});
+    }
+    return true;
+  }
+
+ private:
+  /// Triangles that hang together right at every place of a square cell of the plan, in groups. Ways only ever come in:
+  /// what hangs together stays so.
+  struct Cell {
+    std::size_t searches = 0, next = kFirstSearches;
+    Index groups = 0;
+    std::vector<std::array<Index, 2>> groupAt;  ///< triangles with their groups, ascending
+    [[nodiscard]] Index groupOf(Index triangle) const {
+      const auto at = std::lower_bound(groupAt.begin(), groupAt.end(), std::array<Index, 2>{triangle, 0});
+      return at != groupAt.end() && (*at)[0] == triangle ? (*at)[1] : -1;
+    }
+  };
+
+  /// Puts what hangs together with a triangle into a group of a cell.
+  void addGroup(Cell& cell, Index triangle, const Vec3& middle) {
+    ++search_;
+    std::vector<Index>& reached = reached_[0];
+    const auto isNew = [&](Index other) { return stamps_[other] != 2 * search_; };
+    const auto reach = [&](Index other) {
+      if (!isNew(other)) return;
+      stamps_[other] = 2 * search_;
+      reached.push_back(other);
+    };
+    reached.clear();
+    reach(triangle);
+    for (std::size_t i = 0; i < reached.size() && i < kMostGrouped; ++i)
+      visitNeighbours(reached[i], middle, kEverywhere * reach_, isNew, reach);
+    std::vector<std::array<Index, 2>> groups;
+    for (const Index other : reached) groups.push_back({other, cell.groups});
+    ++cell.groups;
+    for (const auto& known : cell.groupAt)
+      if (isNew(known[0])) groups.push_back(known);
+    std::sort(groups.begin(), groups.end());
+    cell.groupAt = std::move(groups);
+  }
+
+  /// Searches from both sides take turns. Where one has seen all that hangs together with it, they are apart.
+  [[nodiscard]] bool search(Index first, Index second, const Vec3& place) {
     ++search_;
     bool isMet = false;
     const auto reach = [&](std::size_t from, Index triangle) {
@@ -58,19 +120,18 @@ class Neighbourhood {
     };
     for (const std::size_t from : {0, 1}) {
       reached_[from].clear();
-      reach(from, triangleOf(from == 0 ? gap.first : gap.second));
+      reach(from, from == 0 ? first : second);
     }
     for (std::size_t i = 0; i < kMostTriangles; ++i)
       for (const std::size_t from : {0, 1}) {
         if (isMet) return true;
         if (i == reached_[from].size()) return false;
         const auto isNew = [&](Index triangle) { return stamps_[triangle] != 2 * search_ + from; };
-        visitNeighbours(reached_[from][i], place, isNew, [&](Index triangle) { reach(from, triangle); });
+        visitNeighbours(reached_[from][i], place, reach_, isNew, [&](Index triangle) { reach(from, triangle); });
       }
     return isMet;
   }
 
- private:
   /// Over a part of a border to a triangle.
   struct Way {
     PlanSegment part;
@@ -100,24 +161,25 @@ class Neighbourhood {
   /// Calls visit(triangle) for those on the other side of an edge, a step or a gap that is near a place, where
   /// isNew(triangle) holds, which costs less than to look where the edge lies.
   template <class IsNew, class Visit>
-  void visitNeighbours(Index triangle, const Vec3& place, const IsNew& isNew, const Visit& visit) const {
+  void visitNeighbours(Index triangle, const Vec3& place, double reach, const IsNew& isNew, const Visit& visit) const {
     const WalkableMesh& mesh = splits_.mesh();
     const auto& corners = mesh.triangles[triangle].corners;
     for (int k = 0; k < 3; ++k) {
       const Index side = 3 * triangle + k, border = borderAt_[side];
       if (border >= 0) {
         for (Index w = firstWay_[border]; w >= 0; w = ways_[w].next)
-          if (isNew(ways_[w].other) && ways_[w].part.isNear(place, reach_)) visit(ways_[w].other);
+          if (isNew(ways_[w].other) && ways_[w].part.isNear(place, reach)) visit(ways_[w].other);
       } else if (beyond_[side] >= 0 && isNew(beyond_[side])) {
         const MeshVertex &a = mesh.vertices[corners[k]], &b = mesh.vertices[corners[next(k)]];
-        if (planSegment(a, b).isNear(place, reach_)) visit(beyond_[side]);
+        if (planSegment(a, b).isNear(place, reach)) visit(beyond_[side]);
       }
     }
   }
   [[nodiscard]] Index triangleOf(Index border) const { return splits_.border(border).side / 3; }
 
   const BorderSplits& splits_;
-  double reach_;
+  double reach_, side_;
+  std::map<std::array<std::int32_t, 2>, Cell> cells_;
   std::vector<Index> borderAt_;        ///< of sides
   std::vector<Index> beyond_;          ///< of sides that are no borders: the triangle behind, or -1
   std::vector<std::uint64_t> stamps_;  ///< of triangles: the last search that reached them, and from which end
