@@ -1,7 +1,10 @@
 // A straight way over the ground: a walk from triangle to triangle along a line in the plan, decided exactly.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cmath>
+#include <unordered_set>
 #include <utility>
+#include <vector>
 
 #include "core/base/poll.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -29,30 +32,73 @@ class RayWalk {
   RayWalk(const PathGround& ground, const Vec3& from, const Vec3& to) : ground_(ground), from_(from), to_(to) {}
 
   GroundRay walk(const SurfacePlace& start, Poll poll) {
-    ray_.start = ray_.end = start;
-    std::uint32_t triangle = start.triangle;
-    while (true) {
-      poll();
-      if (isOnGround(triangle)) ray_.triangles.push_back(triangle);
-      if (holdsTarget(triangle)) {
-        if (isOnGround(triangle)) endAt(triangle, to_, std::nullopt);
-        ray_.reached = isOnGround(triangle);
-        break;
-      }
-      const TriangleExit exit = exitOf(triangle);
-      const std::uint32_t next =
-          exit.isCorner ? beyondCorner(triangle, exit.index) : ground_.topology.neighbours[triangle][exit.index];
-      // The place before a gap is the end until the ray is on ground again.
-      if (isOnGround(triangle) && (next == kNone || !isOnGround(next))) leave(triangle, exit, next == kNone);
-      if (next == kNone) break;
-      triangle = next;
+    Branch farthest{start.triangle, kNoNode, start, std::nullopt};
+    double most = -1;
+    branches_.push_back({start.triangle, kNoNode, start, std::nullopt});
+    while (!branches_.empty() && !isReached_) {
+      Branch branch = branches_.back();
+      branches_.pop_back();
+      if (!follow(branch, poll)) continue;
+      const double length = planDistance(start.position, branch.end.position);
+      if (!isReached_ && length <= most) continue;
+      most = length;
+      farthest = branch;
     }
-    ray_.planLength = planDistance(ray_.start.position, ray_.end.position);
-    ray_.end.distance = planDistance(ray_.end.position, to_);
-    return std::move(ray_);
+    GroundRay ray{start, farthest.end, isReached_, std::max(most, 0.0), farthest.border, {}};
+    ray.end.distance = planDistance(ray.end.position, to_);
+    for (std::size_t node = farthest.node; node != kNoNode; node = nodes_[node].before)
+      ray.triangles.push_back(nodes_[node].triangle);
+    std::reverse(ray.triangles.begin(), ray.triangles.end());
+    return ray;
   }
 
  private:
+  static constexpr std::size_t kNoNode = static_cast<std::size_t>(-1);
+
+  /// A way along the line that is followed. Two of them lead along both sides of a wall that stands on the line.
+  struct Branch {
+    std::uint32_t triangle = 0;  ///< the next one
+    std::size_t node = kNoNode;  ///< the last one on the ground
+    SurfacePlace end;            ///< the last place on the ground
+    std::optional<std::array<std::uint32_t, 2>> border;
+  };
+  struct Node {
+    std::uint32_t triangle = 0;
+    std::size_t before = kNoNode;
+  };
+
+  /// Follows a branch to its end. False where it leads into a triangle that was passed already, from which all ways are
+  /// the same.
+  bool follow(Branch& branch, Poll poll) {
+    while (true) {
+      poll();
+      const std::uint32_t triangle = branch.triangle;
+      if (!passed_.insert(triangle).second) return false;
+      const bool isGround = isOnGround(triangle);
+      if (isGround) {
+        nodes_.push_back({triangle, branch.node});
+        branch.node = nodes_.size() - 1;
+      }
+      if (holdsTarget(triangle)) {
+        if (isGround) endAt(branch, to_, std::nullopt);
+        isReached_ = isGround;
+        return true;
+      }
+      const TriangleExit exit = exitOf(triangle);
+      const std::uint32_t next = exit.isCorner
+                                     ? beyondCorner(triangle, exit.index, true)
+                                     : ground_.topology.neighbours[triangle][static_cast<std::size_t>(exit.index)];
+      // The place before a gap is the end until the ray is on ground again.
+      if (isGround && (exit.isCorner || next == kNone || !isOnGround(next))) leave(branch, exit, next == kNone);
+      if (next == kNone) return true;
+      if (exit.isCorner) {
+        const std::uint32_t other = beyondCorner(triangle, exit.index, false);
+        if (other != kNone && other != next) branches_.push_back({other, branch.node, branch.end, branch.border});
+      }
+      branch.triangle = next;
+    }
+  }
+
   /// Triangles behind those of the mesh are bridges over gaps.
   [[nodiscard]] bool isOnGround(std::uint32_t triangle) const { return triangle < ground_.mesh->triangles.size(); }
   [[nodiscard]] const Vec3& corner(std::uint32_t triangle, int i) const {
@@ -85,9 +131,10 @@ class RayWalk {
     return sideOf(triangle, (i + 1) % 3) <= 0 && sideOf(triangle, (i + 2) % 3) >= 0;
   }
 
-  /// The triangle around a corner in which the line goes on, the first one on the left; kNone without any.
-  [[nodiscard]] std::uint32_t beyondCorner(std::uint32_t triangle, int corner) const {
-    for (const bool isLeft : {true, false}) {
+  /// The first triangle around a corner in which the line goes on, turning around it counter-clockwise or, where that
+  /// leads to a border, clockwise; or the other way round. kNone without any.
+  [[nodiscard]] std::uint32_t beyondCorner(std::uint32_t triangle, int corner, bool isCounterClockwise) const {
+    for (const bool isLeft : {isCounterClockwise, !isCounterClockwise}) {
       std::uint32_t t = triangle;
       int i = corner;
       while (true) {
@@ -103,10 +150,11 @@ class RayWalk {
     return kNone;
   }
 
-  void leave(std::uint32_t triangle, const TriangleExit& exit, bool isBorder) {
+  void leave(Branch& branch, const TriangleExit& exit, bool isBorder) const {
+    const std::uint32_t triangle = branch.triangle;
     const Vec3& first = corner(triangle, exit.index);
     if (exit.isCorner) {
-      endAt(triangle, first, std::nullopt);
+      endAt(branch, first, std::nullopt);
       return;
     }
     const auto i = static_cast<std::size_t>(exit.index);
@@ -114,17 +162,20 @@ class RayWalk {
     const Vec3& second = corner(triangle, (exit.index + 1) % 3);
     std::optional<std::array<std::uint32_t, 2>> border;
     if (isBorder) border = {f[i], f[(i + 1) % 3]};
-    endAt(triangle, pointBetween(first, second, crossingParameter(from_, to_, first, second)), border);
+    endAt(branch, pointBetween(first, second, crossingParameter(from_, to_, first, second)), border);
   }
 
-  void endAt(std::uint32_t triangle, const Vec3& place, std::optional<std::array<std::uint32_t, 2>> border) {
-    ray_.end = ground_.places.placeInside(place, triangle);
-    ray_.border = border;
+  void endAt(Branch& branch, const Vec3& place, std::optional<std::array<std::uint32_t, 2>> border) const {
+    branch.end = ground_.places.placeInside(place, branch.triangle);
+    branch.border = border;
   }
 
   const PathGround& ground_;
   Vec3 from_, to_;
-  GroundRay ray_;
+  std::vector<Branch> branches_;
+  std::vector<Node> nodes_;
+  std::unordered_set<std::uint32_t> passed_;
+  bool isReached_ = false;
 };
 
 bool isFinite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }

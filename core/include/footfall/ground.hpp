@@ -47,9 +47,9 @@ struct GroundRay {
 /// over drops, and ends at the first border. Nothing where no walkable place is within reach of `from`.
 ///
 /// Which triangles it crosses is decided exactly. A ray passes along a border, and past the end of a thin wall that it
-/// touches; it does not pass through a point in which two parts only touch. Where it meets a corner around which the
-/// surface winds more than once, it takes the first continuation on its left. From a place on the border of two
-/// triangles that are not joined it starts on the one that locate() gives. A ray that ends over a gap ends before it.
+/// touches; it does not pass through a point in which two parts only touch. Where a wall stands along the ray, both of
+/// its sides are followed, and the way that goes farthest is the result. From a place on the border of two triangles
+/// that are not joined it starts on the one that locate() gives. A ray that ends over a gap ends before it.
 /// The end is rounded, and lies in its triangle exactly, in the plan. Throws InputError for a coordinate that is not
 /// finite, and Cancelled.
 std::optional<GroundRay> castRay(const PathFinder& finder, const Vec3& from, const Vec3& to,
