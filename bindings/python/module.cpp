@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "bindings.hpp"
+#include "corridors.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
 #include "texts.hpp"
@@ -52,5 +53,6 @@ PYBIND11_MODULE(_core, module) {
   bindInspection(module);
   bindComparison(module);
   bindGround(module);
+  bindCorridors(module);
   module.attr("__version__") = footfall::version();
 }

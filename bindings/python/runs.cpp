@@ -403,7 +403,10 @@ std::string labelOf(const Environment& environment) { return "walkable area of "
 
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress) {
-  if (threads < 0) throw InputError("threads: " + std::to_string(threads) + " is no number of threads; give 0 or more");
+  constexpr int kMostThreads = 1024;
+  if (threads < 0 || threads > kMostThreads)
+    throw InputError("threads: " + std::to_string(threads) + " is out of range; give 0 to " +
+                     std::to_string(kMostThreads));
   auto area = std::make_shared<Area>();
   area->result = interruptible(
       progress, [&](RunContext& context) { return runPipeline(environment, pipeline, context, cache.get(), threads); });

@@ -145,11 +145,25 @@ def checked(native, name):
     return function
 
 
+def _checked_index(native, name):
+    """The same for `__getitem__`, whose only argument has no name."""
+
+    @functools.wraps(native)
+    def function(self, index):
+        if not hasattr(type(index), "__index__"):
+            raise TypeError(f"{name}[...]: {_shown(index)}; give a whole number")
+        return native(self, index)
+
+    return function
+
+
 def check_methods(kind):
     """Put `checked` around the methods of a class, and around its constructor."""
     for name, member in list(vars(kind).items()):
         is_method = inspect.isroutine(member) and not name.startswith("_")
         if is_method:
             setattr(kind, name, checked(getattr(kind, name), f"{kind.__name__}.{name}"))
+        elif name == "__getitem__":
+            setattr(kind, name, _checked_index(getattr(kind, name), kind.__name__))
         elif name == "__init__":
             setattr(kind, name, checked(getattr(kind, name), kind.__name__))

@@ -19,7 +19,10 @@ def _layers_of(mesh, layers):
         return [None]
     if layers is None:
         return list(range(mesh.layer_count))
-    chosen = [int(layer) for layer in np.atleast_1d(layers)]
+    try:
+        chosen = [operator.index(layer) for layer in np.atleast_1d(layers)]
+    except TypeError:
+        raise TypeError(f"layers: {layers!r} is not accepted; give whole numbers or None") from None
     for layer in chosen:
         if not 0 <= layer < mesh.layer_count:
             raise InputError(f"layers: there is no layer {layer}; give numbers from 0 to {mesh.layer_count - 1}")
@@ -206,6 +209,10 @@ def plot(mesh, layers=None, *, path=None, columns=3, bounds=None):
     matplotlib."""
     numbers = _layers_of(mesh, layers)
     bounds = None if bounds is None else np.array(_bounds_from(bounds))
+    if not hasattr(type(columns), "__index__"):
+        raise TypeError(f"columns: {columns!r} is not accepted; give a whole number")
+    if columns < 1:
+        raise InputError(f"columns: {columns} is out of range; give 1 or more")
     try:
         from matplotlib import pyplot
     except ImportError as error:

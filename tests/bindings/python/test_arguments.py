@@ -65,6 +65,7 @@ class Arguments(unittest.TestCase):
              lambda: self.area.layer("0")),
             (r"NavigationMesh.polygons\(\): part: a str is not accepted; give a whole number or None",
              lambda: self.area.polygons("0")),
+            (r"Pipeline\[...\]: a str is not accepted; give a whole number", lambda: self.area.pipeline["a"]),
             (r"WalkableArea.save\(\): scale: a str is not accepted; give a number",
              lambda: self.area.save("a.obj", scale="2")),
         ]:
@@ -75,7 +76,9 @@ class Arguments(unittest.TestCase):
         whole = "give a whole number from 0 to 2147483647"
         for pattern, call in [
             (r"run\(\): threads: this number is not accepted; " + whole, lambda: footfall.run(self.level, threads=10**30)),
-            ("threads: -1 is no number of threads", lambda: footfall.run(self.level, threads=-1)),
+            ("threads: -1 is out of range; give 0 to 1024", lambda: footfall.run(self.level, threads=-1)),
+            ("threads: 2147483647 is out of range; give 0 to 1024",
+             lambda: footfall.run(self.level, threads=2147483647)),
             (r"ResultCache\(\): capacity: -1 is not accepted; " + whole, lambda: footfall.ResultCache(-1)),
             (r"WalkableArea.why\(\): triangle: -1 is not accepted; " + whole,
              lambda: self.area.why((1, 1, 1), triangle=-1)),

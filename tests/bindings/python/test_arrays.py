@@ -81,7 +81,7 @@ class ArraysIn(unittest.TestCase):
             ({"step": -1}, "step"),
             ({"up": "w"}, "^up: \"w\" is no axis; give \"z\""),
             ({"metres_per_unit": 0}, "scale|metres"),
-            ({"threads": -1}, "^threads: -1 is no number of threads"),
+            ({"threads": -1}, "^threads: -1 is out of range; give 0 to 1024"),
             ({"obstacle_only": [True]}, "^obstacle_only: the shape is \\(1,\\); give an array of shape \\(2,\\) and type bool$"),
             ({"obstacle_only": [0, 1]}, "^obstacle_only: the type is int64; give"),
         ]:

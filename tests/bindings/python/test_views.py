@@ -111,6 +111,15 @@ class Plot(unittest.TestCase):
                     footfall.InputError, r"^bounds: .* is no rectangle; give \(x0, y0, x1, y1\)"):
                 footfall.plot(area, bounds=bounds)
 
+    def test_other_arguments(self):
+        area = two_floors()
+        with self.assertRaisesRegex(footfall.InputError, "^columns: 0 is out of range; give 1 or more"):
+            footfall.plot(area, columns=0)
+        with self.assertRaisesRegex(TypeError, "^columns: 'a' is not accepted; give a whole number"):
+            footfall.plot(area, columns="a")
+        with self.assertRaisesRegex(TypeError, "^layers: 'a' is not accepted; give whole numbers or None"):
+            footfall.trimesh_dict(area, "a")
+
     def plotted(self, mesh, **options):
         """The axes of a plot by a stand-in for matplotlib, and the triangles that each of them got."""
         pyplot = unittest.mock.MagicMock()

@@ -1,0 +1,11 @@
+// The corridor map in Python.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+namespace footfall::python {
+
+void bindCorridors(pybind11::module_& module);
+
+}  // namespace footfall::python
