@@ -3,6 +3,7 @@
 
 import importlib.util
 import os
+import tempfile
 import unittest
 import unittest.mock
 import warnings
@@ -197,8 +198,20 @@ class Reports(unittest.TestCase):
 
 class Limits(unittest.TestCase):
     def test_limits_of_readers_are_an_option(self):
-        self.assertEqual(len(footfall.load(SAMPLE, limits=False).triangles), len(footfall.load(SAMPLE).triangles))
-        self.assertEqual(len(footfall.load(SAMPLE, limits=True).triangles), len(footfall.load(SAMPLE).triangles))
+        # A reader that takes a little more memory than any small file may, and then fails.
+        with tempfile.TemporaryDirectory() as folder:
+            reader, level = os.path.join(folder, "reader"), os.path.join(folder, "level.off")
+            with open(reader, "w") as file:
+                file.write("#!/usr/bin/env python3\nimport sys, time\nheld = bytearray(1100 << 20)\n"
+                           "held[::4096] = b'x' * len(held[::4096])\ntime.sleep(3)\nsys.exit(3)\n")
+            os.chmod(reader, 0o700)
+            with open(level, "w") as file:
+                file.write("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+            with unittest.mock.patch.dict(os.environ, {"FOOTFALL_IMPORT": reader}):
+                with self.assertRaisesRegex(footfall.InputError, "exit status 3"):
+                    footfall.load(level, limits=False)
+                with self.assertRaisesRegex(footfall.InputError, "memory"):
+                    footfall.load(level)
 
 
 if __name__ == "__main__":
