@@ -169,7 +169,7 @@ std::string encodeDescription(const Environment& environment) {
   return std::move(out.bytes);
 }
 
-Environment decodeDescription(std::string_view bytes) {
+Environment decodeDescription(std::string_view bytes, std::uint32_t version) {
   ByteReader in(bytes);
   Environment head;
   head.origin = cleanName(in.text());
@@ -186,7 +186,7 @@ Environment decodeDescription(std::string_view bytes) {
   const std::size_t listed = in.count(6);
   if (listed > SkippedElements::kMostListed) throw BadBytes("the list of polygons is too long");
   for (std::size_t i = 0; i < listed; ++i) head.skipped.listed.push_back(decodeSkipped(in));
-  if (!in.rest().empty()) head.grid = decodeGrid(in);  // not in versions 1 and 2
+  if (version > 2) head.grid = decodeGrid(in);
   in.expectEnd();
   return head;
 }

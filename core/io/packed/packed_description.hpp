@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "core/io/packed/packed_format.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::detail {
@@ -14,7 +16,7 @@ namespace footfall::detail {
 std::string encodeDescription(const Environment& environment);
 
 /// The other way round; `source` is left empty, and Environment::origin is the name of the file that was packed. Throws
-/// std::runtime_error for bytes that are none.
-Environment decodeDescription(std::string_view bytes);
+/// std::runtime_error for bytes that are none. `version`: PackedHeader::version.
+Environment decodeDescription(std::string_view bytes, std::uint32_t version = kPackedVersion);
 
 }  // namespace footfall::detail

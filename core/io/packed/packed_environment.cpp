@@ -267,7 +267,7 @@ void PackedEnvironment::readDescription(const ImportOptions& options) {
   const std::string bytes = bytesAt(header_.descriptionOffset, header_.descriptionSize);
   if (Digest().add(bytes).value() != header_.descriptionSum) failDamaged();
   try {
-    head_ = decodeDescription(bytes);
+    head_ = decodeDescription(bytes, header_.version);
   } catch (const BadBytes&) {
     failDamaged();
   }

@@ -234,7 +234,7 @@ class TestReachableFilter : public QObject {
     QVERIFY(defaultStep(filter, 1).values.empty());
     QVERIFY(filter.takes(0) && filter.takes(3) && filter.takes(3000) && !filter.takes(2) && !filter.takes(4));
     QCOMPARE(filter.parameterOf(7).name, std::string_view("y"));
-    QVERIFY(!filterDescriptor(FilterType::Slope).takes(2));
+    QVERIFY(!filterDescriptor(FilterType::Slope).takes(3));
   }
 
   void statisticsHaveTheSeeds() {

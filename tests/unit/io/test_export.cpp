@@ -133,7 +133,9 @@ class TestExport : public QObject {
     if (sharedEnvironments().isEmpty()) QSKIP("the shared environments are not here; set FOOTFALL_SHARED");
     const TemporaryFolder folder;
     for (const char* name : {"/nav_test.obj", "/steelribs.obj", "/town/town_model.gltf"}) {
-      const auto first = importEnvironment(sharedEnvironments().toStdString() + name);
+      ImportOptions asTheFileHasThem;
+      asTheFileHasThem.grid = GridChoice::Off;
+      const auto first = importEnvironment(sharedEnvironments().toStdString() + name, asTheFileHasThem);
       NavigationMesh mesh;
       mesh.vertices = first->vertices;
       mesh.triangles = first->triangles;

@@ -181,8 +181,8 @@ class TestPackedEnvironment : public QObject {
     QVERIFY(message(good + 'x').contains("is damaged"));
     for (int size = 0; size < good.size(); size += 9973) QVERIFY(!message(good.left(size)).startsWith("no message"));
     QByteArray later = good;
-    later[8] = 3;
-    QVERIFY(message(later).contains("of version 3, and this program reads versions up to 2"));
+    later[8] = 4;
+    QVERIFY(message(later).contains("of version 4, and this program reads versions up to 3"));
     QRandomGenerator random(1);
     for (int i = 0; i < 300; ++i) {
       QByteArray changed = good;
