@@ -467,8 +467,8 @@ static void testFiles(const char* sample, const char* folder, const char* expect
   CHECK_FAILS(footfall_load(path, NULL, NULL, &none), FOOTFALL_INPUT_ERROR, "none.obj");
   CHECK_FAILS(footfall_load("/dev", NULL, NULL, &none), FOOTFALL_INPUT_ERROR, "footfall_load: /dev: a folder without");
   CHECK(none == NULL);
-  const footfall_import_options import = {FOOTFALL_UP_Z, 0.5, 0, FOOTFALL_GRID_ON, 0};
-  const footfall_import_options noStep = {FOOTFALL_UP_Z, 0.5, 0, FOOTFALL_GRID_STEP, 0};
+  const footfall_import_options import = {FOOTFALL_UP_Z, 0.5, 0, FOOTFALL_GRID_ON, 0, 0};
+  const footfall_import_options noStep = {FOOTFALL_UP_Z, 0.5, 0, FOOTFALL_GRID_STEP, 0, 0};
   CHECK_FAILS(footfall_load(sample, &noStep, NULL, &none), FOOTFALL_INPUT_ERROR, "grid");
   CHECK_OK(footfall_load(sample, &import, NULL, &none));
   CHECK(footfall_environment_metres_per_unit(none) == 0.5);

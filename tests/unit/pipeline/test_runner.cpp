@@ -354,10 +354,10 @@ void TestRunner::invalidStepsAreRefused_data() {
   QTest::addColumn<QString>("filter");
   QTest::addColumn<QList<double>>("values");
   QTest::addColumn<QString>("says");
-  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95}
+  QTest::newRow("out of range") << "SlopeFilter" << QList<double>{95, 0}
                                 << "step 1 (Slope), SlopeFilter: max_slope 95 is out";
   QTest::newRow("too few") << "SlopeFilter" << QList<double>{}
-                           << "step 1 (Slope), SlopeFilter: values given: 0; give 1";
+                           << "step 1 (Slope), SlopeFilter: values given: 0; give 2";
   QTest::newRow("too many") << "DegeneracyFilter" << QList<double>{1}
                             << "step 1 (Degeneracy), DegeneracyFilter: values given: 1; give 0";
   QTest::newRow("tiny clearance")
