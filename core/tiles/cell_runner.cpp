@@ -77,9 +77,9 @@ CellLimits CellRunner::limits(std::uint64_t mostFaces, double seen) const {
           isExact() ? times(kOfTileTriangle, kTrianglesPerFloor) : 0, std::max<std::uint64_t>(mostFaces, 1)};
 }
 
-std::uint64_t CellRunner::measure(const FaceRange& range) const {
+std::uint64_t CellRunner::measure(const OwnFloors& own) const {
   environment_.keepBlocks(std::max(free() / 2, keptBetween(memory_)));
-  const std::uint64_t bytes = needed(collector_.measure({range}, context_)) - fixed_;
+  const std::uint64_t bytes = needed(collector_.measure(own, context_)) - fixed_;
   environment_.keepBlocks(keptBetween(memory_));
   return bytes;
 }
@@ -96,8 +96,12 @@ std::uint64_t CellRunner::needed(const CellSize& size) const {
   return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
 }
 
+// More memory keeps more blocks between cells, at most a sixteenth of it, so the sum is approached from below.
 void CellRunner::failTooLittle(std::uint64_t bytes) const {
-  failWith(environment_.head().source, memory_, fixed_ + bytes);
+  const std::uint64_t rest = fixed_ - keptBetween(memory_) + std::max(bytes, expected_);
+  std::uint64_t least = rest;
+  while (least < rest + keptBetween(least)) least = rest + keptBetween(least);
+  failWith(environment_.head().source, memory_, least);
 }
 
 void CellRunner::failTooLittle(const OwnFloors& own) const {
@@ -164,10 +168,6 @@ void CellRunner::run(const FaceRange& range, const Visit& visit) {
     left.push_back({middle, piece.last});
     left.push_back({piece.first, middle});
   }
-}
-
-void CellRunner::requireFloors(std::uint64_t count) const {
-  if (const std::uint64_t bytes = needed({count, count}); bytes > memory_) failTooLittle(bytes - fixed_);
 }
 
 MadeTile CellRunner::runListed(const FloorsAtGaps& atGaps) {

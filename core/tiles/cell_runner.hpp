@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -33,7 +34,7 @@ class CellRunner {
   /// The limits of a cell that, with all that it sees, takes `seen` times what its own faces take.
   [[nodiscard]] CellLimits limits(std::uint64_t mostFaces, double seen) const;
   /// The memory that a cell takes while it runs, with all that it sees; it is not held.
-  [[nodiscard]] std::uint64_t measure(const FaceRange& range) const;
+  [[nodiscard]] std::uint64_t measure(const OwnFloors& own) const;
 
   /// Call this before the first cell runs.
   void setGrid(const Grid& grid) { grid_ = grid; }
@@ -47,15 +48,17 @@ class CellRunner {
   using Visit = std::function<void(const FaceRange& range, MadeTile& made)>;
   /// Visits what is left of a cell: in pieces, in their order, where it does not fit.
   void run(const FaceRange& range, const Visit& visit);
-  /// Throws InputError where a cell with so many floors can never fit.
-  void requireFloors(std::uint64_t count) const;
   /// The cell of what gaps change.
   MadeTile runListed(const FloorsAtGaps& atGaps);
   /// Runs a cell that ran before, to inspect it exactly.
   void runAgain(const OwnFloors& own, const RegionSums::Inspect& inspect);
 
   [[nodiscard]] const CellCounts& counts() const { return counts_; }
-  /// Throws InputError: so many bytes besides those that are charged are needed.
+  /// Messages about too little memory name enough for so many bytes besides those that are charged, an estimate of what
+  /// later work needs. No run is refused because of it.
+  void expect(std::uint64_t bytes) { expected_ = std::max(expected_, bytes); }
+  /// Throws InputError: so many bytes besides those that are charged are needed. It names the least memory in which
+  /// they and those that are expected have room.
   [[noreturn]] void failTooLittle(std::uint64_t bytes) const;
 
  private:
@@ -77,6 +80,7 @@ class CellRunner {
   std::vector<PartRole> roles_;
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
+  std::uint64_t expected_ = 0;
   std::uint64_t neededForTile_ = 0;  ///< for the last cell, if filters see over the borders of tiles; or 0
   Grid grid_;
   int reach_ = kUsualReach;  ///< reach of the last cell

@@ -29,8 +29,6 @@ namespace {
 using Pair = std::array<Index, 2>;
 using Tree = BoxTree<2>;
 
-/// The bytes of a triangle while layers are chosen, and of a pair that overlaps.
-constexpr std::uint64_t kOfTriangle = 400, kOfPair = 48;
 constexpr Index kPerTask = 256;
 
 Tree::Bounds boundsOf(const PlanTriangle& p) {
@@ -117,7 +115,20 @@ class TileLayers {
       throw RunError(
           FOOTFALL_TEXT("the walkable area has more triangles than LayerSubdivisionFilter can number; leave "
                         "it out"));
-    stage_.require(first_.back() * kOfTriangle + pairs_.size() * kOfPair);
+    stage_.require(bytesWith(pairs_.size()), bytesWith(expectedPairs()));
+  }
+
+  [[nodiscard]] std::uint64_t bytesWith(std::uint64_t pairs) const {
+    return first_.back() * kOfLayerTriangle + pairs * kOfLayerPair;
+  }
+
+  /// The number of pairs of all tiles, at a guess: in proportion to the triangles of the tiles that are done, and a
+  /// quarter more, since places differ.
+  [[nodiscard]] std::uint64_t expectedPairs() const {
+    const std::uint64_t done = first_[begun_];
+    if (done == 0) return first_.back() * kUsualPairs;
+    const double perTriangle = static_cast<double>(pairs_.size()) / static_cast<double>(done);
+    return static_cast<std::uint64_t>(1.25 * perTriangle * static_cast<double>(first_.back()));
   }
 
   void addPairs(const TileUnion& made, const std::vector<Pair>& found) {
@@ -132,6 +143,7 @@ class TileLayers {
     const std::vector<StoredTile>& tiles = stage_.tiles;
     for (std::size_t i = 0; i < tiles.size(); ++i) {
       const Tile tile = stage_.store.read(tiles[i].number);
+      begun_ = i + 1;
       for (std::size_t j = i + 1; j < tiles.size(); ++j) {
         context_.checkCancelled();
         if (!touchInPlan(tiles[i].box, tiles[j].box)) continue;
@@ -139,7 +151,7 @@ class TileLayers {
         parts.push_back(partWithin(i, tile, tiles[j].box));
         parts.push_back(partWithin(j, stage_.store.read(tiles[j].number), tiles[i].box));
         const TileUnion made = unionOf(std::move(parts));
-        const auto found = overlapsBetween(made, i, stage_.memory / kOfPair, context_);
+        const auto found = overlapsBetween(made, i, stage_.memory / kOfLayerPair, context_);
         if (!found) stage_.failTooLittle(2 * stage_.memory);
         addPairs(made, *found);
       }
@@ -155,7 +167,7 @@ class TileLayers {
     const TileUnion made = unionOf(std::move(parts));
     const Adjacency topology = findEdges(made.mesh().triangles, made.mesh().vertices.size(), Poll(context_));
     ExactFallbacks fallbacks;
-    const std::uint64_t most = stage_.memory / kOfPair;
+    const std::uint64_t most = stage_.memory / kOfLayerPair;
     const auto found = findPlanOverlaps(made.kernel(), made.mesh(), topology, most, context_, fallbacks);
     if (!found) stage_.failTooLittle(2 * stage_.memory);
     addPairs(made, *found);
@@ -197,6 +209,7 @@ class TileLayers {
   TileStage& stage_;
   RunContext& context_;
   std::vector<std::uint64_t> first_;  ///< number of triangles before each tile; then of all
+  std::size_t begun_ = 0;             ///< number of tiles whose pairs are listed, the one at work included
   std::vector<Pair> pairs_;           ///< numbers of triangles as tiles have them one behind the other
 };
 

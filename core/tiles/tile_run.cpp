@@ -2,6 +2,7 @@
 #include "core/tiles/tile_run.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -65,6 +66,7 @@ class TileRun {
     const BlockSurvey survey = surveyAll();
     grid_ = survey.grid;
     runner_.setGrid(grid_);
+    expectLayers(survey);
     const bool isTwice = steps_.step && steps_.minimumArea;
     if (steps_.step && !isTwice) runner_.link({});
     runPlan(planOf(survey), 0, isTwice ? kTileRunSteps / 2 : kTileRunSteps);
@@ -101,6 +103,16 @@ class TileRun {
     return decodeSurvey(ranks_.fromFirst(encodeSurvey(all), context_));
   }
 
+  // A message about too little memory for cells names enough for the layers of their floors, too.
+  void expectLayers(const BlockSurvey& survey) {
+    const bool hasLayers = std::any_of(steps_.global.begin(), steps_.global.end(), [](const PipelineStep& step) {
+      return step.filter->type == FilterType::LayerSubdivision;
+    });
+    if (!hasLayers) return;
+    const std::uint64_t floors = std::accumulate(survey.floors.begin(), survey.floors.end(), std::uint64_t{0});
+    runner_.expect(floors * (kOfLayerTriangle + kUsualPairs * kOfLayerPair));
+  }
+
   // Cells see a different amount beside their own faces in each environment and pipeline, so some are measured when
   // there are many.
   std::vector<FaceRange> planOf(const BlockSurvey& survey) {
@@ -122,7 +134,7 @@ class TileRun {
       const FaceRange& cell = usual[number];
       const std::uint64_t own =
           runningBytes(environment_.blocks(), survey.floors, cell, runner_.limits(options_.mostFaces, 1));
-      seen = std::max(seen, static_cast<double>(runner_.measure(cell)) / static_cast<double>(own));
+      seen = std::max(seen, static_cast<double>(runner_.measure({cell})) / static_cast<double>(own));
     }
     const auto bytesOf = [](double number) {
       ByteWriter out;
@@ -139,14 +151,16 @@ class TileRun {
   // from `begin` up to `end`, as if all ranks were as fast as this one.
   void runPlan(const std::vector<FaceRange>& plan, std::size_t begin, std::size_t end) {
     std::vector<CellOutcome> own;
-    std::uint64_t atGaps = 0;
+    std::uint64_t faces = 0;
+    GapsSoFar gaps;
     ranks_.beginTasks(plan.size());
     while (const std::optional<std::size_t> cell = ranks_.nextTask(context_)) {
       const std::size_t done = std::min(own.size() * static_cast<std::size_t>(ranks_.size()), plan.size() - 1);
       context_.beginStep(begin + (end - begin) * done / plan.size(), "cell " + std::to_string(*cell + 1));
       own.push_back(runCell(*cell, plan[*cell], begin));
-      atGaps += own.back().atGaps.floors.size();
-      runner_.requireFloors(atGaps);  // they are one cell, beside which their list is nothing
+      faces += plan[*cell].size();
+      gaps.floors += own.back().atGaps.floors.size();
+      requireGaps(own, faces, gaps);
     }
     const std::vector<std::string> all = ranks_.gather(encodeOutcomes(own, {}), context_);
     own.clear();
@@ -154,6 +168,34 @@ class TileRun {
     for (const std::string& part : all) decodeOutcomes(part, own, none);
     std::sort(own.begin(), own.end(), [](const CellOutcome& a, const CellOutcome& b) { return a.cell < b.cell; });
     for (const CellOutcome& outcome : own) takeCell(outcome);
+  }
+
+  /// The floors at gaps of the cells that ran.
+  struct GapsSoFar {
+    std::uint64_t floors = 0;
+    std::uint64_t measured = 0;                       ///< number of floors when they were measured last
+    std::uint64_t bytesOfFloor = kBytesOfFloorAtGap;  ///< by that measure
+  };
+
+  // Floors at gaps are one cell behind all others. A run in whose memory those of some cells do not fit ends at once,
+  // and names what those of all cells are expected to take.
+  void requireGaps(const std::vector<CellOutcome>& own, std::uint64_t faces, GapsSoFar& gaps) {
+    constexpr double kLikely = 0.9, kRoom = 1.25;
+    const auto likely = static_cast<double>(gaps.floors * gaps.bytesOfFloor);
+    if (likely < kLikely * static_cast<double>(runner_.free()) || gaps.floors < gaps.measured + gaps.measured / 8)
+      return;
+    FloorsAtGaps all;
+    for (const CellOutcome& outcome : own) all.add(outcome.atGaps);
+    all.sort();
+    const std::uint64_t bytes = runner_.measure({{}, &all}) + all.bytes();
+    gaps.measured = gaps.floors;
+    gaps.bytesOfFloor = bytes / gaps.floors + 1;
+    if (bytes <= runner_.free()) return;
+    const double share = static_cast<double>(faces) /
+                         static_cast<double>(endOfSlice(options_.slice.number) - endOfSlice(options_.slice.number - 1));
+    runner_.expect(static_cast<std::uint64_t>(share < 1 ? kRoom * static_cast<double>(bytes) / share
+                                                        : static_cast<double>(bytes)));
+    runner_.failTooLittle(bytes);
   }
 
   CellOutcome runCell(std::size_t cell, const FaceRange& range, std::size_t round) {
@@ -327,6 +369,8 @@ class TileRun {
       result_.counts.add(result_.ranks.back().counts);
     }
   }
+
+  static constexpr std::uint64_t kBytesOfFloorAtGap = 40000;  ///< more than in a city; measured where it matters
 
   const PackedEnvironment& environment_;
   CellSteps steps_;

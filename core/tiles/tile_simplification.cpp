@@ -108,7 +108,8 @@ class TileSimplification {
     parts.push_back(std::move(part));
     std::uint64_t count = 0;
     for (const TileUnion::Part& each : parts) count += each.triangles.triangles.size();
-    stage_.require(count * kOfUnionTriangle + bytesKnown());
+    const std::uint64_t bytes = count * kOfUnionTriangle + bytesKnown();
+    stage_.require(bytes, bytes + bytes / 4);  // other parts may follow
   }
   [[nodiscard]] TileUnion unionOf(std::vector<TileUnion::Part> parts) const {
     return {std::move(parts), stage_.grid, context_};
@@ -222,14 +223,14 @@ class TileSimplification {
     std::vector<std::uint64_t> sizes(groupOf.size(), 0);
     for (std::size_t p = 0; p < groupOf.size(); ++p) sizes[groupOf[p]] += groupParts_[p].triangles;
     // Includes the triangles around them.
-    stage_.require(bytesKnown());
+    const std::uint64_t largest = sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end());
+    stage_.require(2 * largest * kOfUnionTriangle + bytesKnown());
     const std::uint64_t most = (stage_.memory - bytesKnown()) / kOfUnionTriangle / 2;
     std::vector<Index> batchOf(groupOf.size(), -1);
     Index batches = 0;
     std::uint64_t size = most;
     for (std::size_t g = 0; g < sizes.size(); ++g) {
       if (sizes[g] == 0) continue;
-      stage_.require(2 * sizes[g] * kOfUnionTriangle + bytesKnown());
       if (size + sizes[g] > most) {
         size = 0;
         ++batches;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -17,6 +18,10 @@ namespace footfall::detail {
 
 /// The bytes of a triangle in a TileUnion while a filter works on it.
 inline constexpr std::uint64_t kOfUnionTriangle = 1500;
+/// The bytes of a triangle while layers are chosen, and of a pair that overlaps.
+inline constexpr std::uint64_t kOfLayerTriangle = 400, kOfLayerPair = 48;
+/// The number of overlapping pairs of a triangle, at a guess: only messages about too little memory depend on it.
+inline constexpr std::uint64_t kUsualPairs = 20;
 
 /// A box around what rounds to these places.
 Box boxAround(std::span<const Vec3> places);
@@ -42,8 +47,10 @@ struct TileStage {
 
   /// Stores a tile, unless it is empty.
   void add(const Tile& tile, std::vector<StoredTile>& to);
-  void require(std::uint64_t bytes) const {
-    if (bytes > memory) failTooLittle(bytes);
+  void require(std::uint64_t bytes) const { require(bytes, bytes); }
+  /// The same, with the bytes that the message names: an estimate of what all of the step needs.
+  void require(std::uint64_t bytes, std::uint64_t expected) const {
+    if (bytes > memory) failTooLittle(std::max(bytes, expected));
   }
 };
 

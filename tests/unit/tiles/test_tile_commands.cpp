@@ -31,10 +31,10 @@ QStringList entriesOf(const QString& folder) {
 }
 
 /// A city that needs more memory than the bound below when it is held as a whole.
-QString makeCity(const QTemporaryDir& folder) {
+QString makeCity(const QTemporaryDir& folder, const QString& triangles = "600000") {
   const QString path = folder.filePath("city.obj");
   QProcess process;
-  process.start(FOOTFALL_BINARY_DIR "/footfall-samples", {"city", "600000", path});
+  process.start(FOOTFALL_BINARY_DIR "/footfall-samples", {"city", triangles, path});
   return process.waitForFinished(120000) && process.exitCode() == 0 ? path : QString();
 }
 
@@ -46,6 +46,8 @@ class TestTileCommands : public QObject {
  private slots:
   void everyFormatHasTheSameBytes();
   void theBoundIsKept();
+  void theNamedMemoryIsEnough_data();
+  void theNamedMemoryIsEnough();
   void statisticsGoElsewhere();
   void partsHaveRoles();
   void noMemoryAtAllIsRefused();
@@ -112,6 +114,39 @@ void TestTileCommands::theBoundIsKept() {
     if (whole > 0) QVERIFY2(whole > bound, "the bound is none for this city");
     whole = peak;
   }
+}
+
+void TestTileCommands::theNamedMemoryIsEnough_data() {
+  QTest::addColumn<QStringList>("steps");
+  QTest::newRow("the default pipeline: floors at gaps are one cell") << QStringList();
+  QTest::newRow("layers of what is not simplified")
+      << QStringList{"--filter", "SlopeFilter 45", "--filter", "LayerSubdivisionFilter"};
+}
+
+// The first message names enough, whatever came first that had no room.
+void TestTileCommands::theNamedMemoryIsEnough() {
+  QFETCH(QStringList, steps);
+  const QTemporaryDir folder;
+  const QString city = makeCity(folder, "100000");
+  if (city.isEmpty()) QSKIP("the generator of samples is not there");
+  const QString packed = folder.filePath("city.ffenv");
+  QCOMPARE(runProgram({"pack", city, "-o", packed, "--quiet"}).exitCode, 0);
+  const auto runWithin = [&](const QString& megabytes) {
+    return runProgram(QStringList{"run", packed, "--memory", megabytes + "M", "--quiet", "-o",
+                                  folder.filePath("within" + megabytes)} +
+                      steps);
+  };
+  int refused = 0;
+  for (const QString megabytes : {"70", "80", "95"}) {
+    const Outcome first = runWithin(megabytes);
+    if (first.exitCode == 0) continue;
+    ++refused;
+    QVERIFY2(first.err.contains("a memory of " + megabytes.toUtf8() + " MB is too little; give "), first.err);
+    const QString named = QString(first.err).section("give ", 1).section(" MB", 0, 0);
+    const Outcome second = runWithin(named);
+    QVERIFY2(second.exitCode == 0, second.err);
+  }
+  QVERIFY(refused > 0);
 }
 
 void TestTileCommands::statisticsGoElsewhere() {
