@@ -472,10 +472,6 @@
         <translation>%1: kann nicht geöffnet werden (%2); geben Sie eine lesbare Pipeline-Datei</translation>
     </message>
     <message>
-        <source>%1: cannot be read; check the file and its disk</source>
-        <translation>%1: kann nicht gelesen werden; prüfen Sie die Datei und ihren Datenträger</translation>
-    </message>
-    <message>
         <source>%1: is too long for a pipeline; give a text file of filters</source>
         <translation>%1: ist zu lang für eine Pipeline; geben Sie eine Textdatei mit Filtern</translation>
     </message>
@@ -2030,6 +2026,26 @@
     <message>
         <source>%1: this file is in the folder of the tiles; move it, or choose another folder for the tiles</source>
         <translation>%1: Die Datei liegt im Ordner der Kacheln; sie verschieben oder für die Kacheln einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>memory ran out; close other programs or use a smaller environment</source>
+        <translation>der Speicher ist ausgegangen; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+    </message>
+    <message>
+        <source>nothing is walkable, so there is no place to choose; check that the area is not 0</source>
+        <translation>nichts ist begehbar, also kann kein Ort gewählt werden; prüfen Sie, dass die Fläche nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>the walkable area is too large for random places; use a larger unit</source>
+        <translation>die begehbare Fläche ist zu groß für zufällige Orte; nehmen Sie eine größere Einheit</translation>
+    </message>
+    <message>
+        <source>the mesh has no layers; end the pipeline with a layer filter</source>
+        <translation>das Netz hat keine Ebenen; beenden Sie die Pipeline mit einem Ebenenfilter</translation>
+    </message>
+    <message>
+        <source>there is no layer %1; give a number from 0 to %2</source>
+        <translation>es gibt keine Ebene %1; geben Sie eine Zahl von 0 bis %2 an</translation>
     </message>
 </context>
 <context>
@@ -7641,7 +7657,7 @@ Material: %2</translation>
     <name>footfall::ui::RunController</name>
     <message>
         <source>memory ran out; close other programs or use a smaller environment</source>
-        <translation>Der Speicher reicht nicht; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
+        <translation>der Speicher ist ausgegangen; schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
     <message>
         <source>%1 of %2 cells finished</source>
