@@ -165,7 +165,7 @@ void TestPipelineFile::refused_data() {
   row("too few", "SlopeFilter", "1:12", "needs a value for max_slope; write for example \"SlopeFilter 45\"");
   row("too few, with a comment", "SlopeFilter # 45", "1:17", "needs a value for max_slope");
   row("too few of three", "SortedRecursiveStrategy 50 3\nCollapse", "1:29", "needs a value for round");
-  row("too many", "SlopeFilter 45 3", "1:16", "remove \"3\"");
+  row("too many", "SlopeFilter 45 0 3", "1:18", "remove \"3\"");
   row("too many for none", "DegeneracyFilter 0", "1:18", "takes no parameters; remove \"0\"");
   row("too many optional", "SimplificationFilter true 0.1 2", "1:31", "remove \"2\"");
   row("no number", "SlopeFilter steep", "1:13", "\"steep\" is no value for max_slope");
@@ -191,7 +191,7 @@ void TestPipelineFile::refused_data() {
   row("collapse switched off", "GridStrategy 1 1\n#off Collapse", "1:1", "add a Collapse");
   row("switched off but wrong", " #off SlopeFilter 95", "1:19", "95 is out of range");
   row("columns are characters", "SlopeFilter \xC3\xA4\xC3\xB6", "1:13", "is no value");
-  row("columns behind characters", "SlopeFilter 45 \xC3\xA4 3", "1:16", "remove");
+  row("columns behind characters", "SlopeFilter 45 0 \xC3\xA4 3", "1:18", "remove");
   row("after a byte order mark", "\xEF\xBB\xBFSlope 45", "1:1", "did you mean SlopeFilter?");
   row("DOS line ends", "DegeneracyFilter\r\nSlope 45\r\n", "2:1", "unknown filter \"Slope\"");
 }
