@@ -6110,6 +6110,10 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         </translation>
     </message>
     <message>
+        <source>Pages of the load</source>
+        <translation>Seiten der Auslastung</translation>
+    </message>
+    <message>
         <source>Where the time of all threads went</source>
         <translation>Wo die Zeit aller Threads geblieben ist</translation>
     </message>

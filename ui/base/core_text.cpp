@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 #include <string>
+#include <string_view>
 
 #include "footfall/errors.hpp"
 #include "ui/base/filter_text.hpp"
@@ -11,22 +12,27 @@
 namespace footfall::ui {
 namespace {
 
-std::string translated(const Text& text);
+// A place in a text file: what follows uses the words of that file.
+constexpr std::string_view kFilePlace = "%1:%2:%3: %4";
 
 // Files and the command line have the names of filters, with their values or without; the editor shows their labels.
-std::string translatedArgument(const Text& text) {
-  return text.isPattern() || text.isCount() ? translated(text) : strategyText(text.pattern()).toStdString();
+std::string argumentText(const Text& text, bool hasLabels) {
+  return hasLabels ? strategyText(text.pattern()).toStdString() : std::string(text.pattern());
 }
 
-std::string translated(const Text& text) {
+std::string translated(const Text& text, bool hasLabels = true) {
   if (text.isCount()) return countText(std::stoull(text.pattern())).toStdString();
   if (!text.isPattern()) return text.pattern();
   const char* const english = text.pattern().c_str();
   QString own = QCoreApplication::translate("Core", english);
   if (own == QLatin1String(english)) own = QCoreApplication::translate("Filter", english);  // labels of filters
   const std::string pattern = own.toStdString();
-  return fillPlaces(pattern, text.arguments().size(),
-                    [&](std::size_t i) { return translatedArgument(text.arguments()[i]); });
+  if (text.pattern() == kFilePlace) hasLabels = false;
+  return fillPlaces(pattern, text.arguments().size(), [&](std::size_t i) {
+    const Text& argument = text.arguments()[i];
+    return argument.isPattern() || argument.isCount() ? translated(argument, hasLabels)
+                                                      : argumentText(argument, hasLabels);
+  });
 }
 
 }  // namespace

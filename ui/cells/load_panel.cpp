@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QSplitter>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <span>
@@ -171,7 +172,9 @@ QWidget* LoadPanel::makeContentPage() {
 QWidget* LoadPanel::makeFigures() {
   pages_ = new QTabWidget(this);
   pages_->setDocumentMode(true);
-  pages_->setFocusPolicy(Qt::TabFocus);
+  pages_->setFocusPolicy(Qt::NoFocus);
+  pages_->tabBar()->setFocusPolicy(Qt::TabFocus);
+  pages_->tabBar()->setAccessibleName(tr("Pages of the load"));
   const auto page = [this](const QString& name, std::initializer_list<QWidget*> parts, QWidget* stretched) {
     auto* widget = new QWidget(pages_);
     auto* layout = new QVBoxLayout(widget);

@@ -229,7 +229,7 @@ class TestCellModel : public QObject {
     model.setBlocks({fourCells()});
     const QString text = model.describe({0, 3});
     for (const char* part : {"Cell 4 of 4", "from 3", "everything", "400 in, 7 out", "28.0 ms", "1, helped by 0",
-                             "40 units of work", "VerticalClearanceFilter"})
+                             "40 units of work", "Vertical clearance"})
       QVERIFY2(text.contains(part), part);
     QVERIFY(model.describe({0, 0}).contains("below 1"));
     QVERIFY(model.describe({3, 0}).isEmpty());

@@ -65,7 +65,7 @@ class TestFilterRows : public QObject {
     QCOMPARE(enabled(), (QList<bool>{true, true, true, true}));
     QVERIFY(row(2)->field(0)->isVisible());
     QVERIFY(!row(1)->field(0)->isVisible());
-    QCOMPARE(row(1)->summaryText(), QString::fromUtf8("45°"));
+    QCOMPARE(row(1)->summaryText(), QString::fromUtf8("45°  ·  0.01°"));
     const int open = row(2)->height();
     QTest::mouseClick(row(1)->nameLabel(), Qt::LeftButton);
     QTRY_VERIFY(row(2)->height() < open);

@@ -41,7 +41,7 @@ class TestParameterNotes : public QObject {
     EditorWindow window;
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "stairs.obj", stairsObj()),
-                    "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.245\n"));
+                    "SlopeFilter 45\nVerticalClearanceFilter 0.85\nStepFilter 0.245\n"));
     const QString expected =
         "Steps: most risers here are 0.25 high, a little more than the step, and are not climbed; give 0.26";
     QTRY_COMPARE(window.messageBar().text(), expected);

@@ -130,7 +130,7 @@ class TestCompare : public QObject {
 
   void whatIsNoResultIsSaid() {
     feature_->openSaved(writeFile(*folder_, "bad.obj", "v 0 0\n"));
-    QTRY_VERIFY(window_->messageBar().isVisible());
+    QTRY_VERIFY(window_->messageBar().text().contains("bad.obj"));
     QCOMPARE(feature_->watch().with(), CompareWith::Nothing);
     QCOMPARE(feature_->panel().choiceBox()->currentIndex(), int(ComparePanel::Nothing));
   }

@@ -4,10 +4,10 @@
 #include <cstring>
 #include <fstream>
 
-#include "core/base/digest.hpp"
 #include "core/io/import.hpp"
 #include "core/io/packed/pack.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/unit/first_packed_version.hpp"
 #include "ui/level/packed_feature.hpp"
 
 using namespace footfall;
@@ -235,17 +235,7 @@ class TestPackedView : public QObject {
   }
 
   void filesOfTheFirstVersionAreBoxes() {
-    QByteArray bytes = readFile(city_);
-    PackedHeader header;
-    std::memcpy(&header, bytes.constData(), sizeof header);
-    bytes.chop(sizeof(PackedCoarse));  // The coarse section is last.
-    header.version = 1;
-    header.fileSize = static_cast<std::uint64_t>(bytes.size());
-    const std::string_view all(bytes.constData(), header.fileSize);
-    header.tableSum = Digest().add(all.substr(header.tableOffset)).value();
-    std::memcpy(bytes.data(), &header, sizeof header);
-    header.ownSum = Digest().add(all.substr(0, kSummedHeader)).value();
-    std::memcpy(bytes.data(), &header, sizeof header);
+    const QByteArray bytes = firstPackedVersion(readFile(city_));
     window_->file().setPackedLimits(kTiny);
     window_->open(writeFile(folder_, "first.ffenv", bytes));
     QVERIFY(waitUntilIdle(*window_));

@@ -6,13 +6,13 @@
 #include <QtTest>
 #include <cstring>
 
-#include "core/base/digest.hpp"
 #include "core/base/vector.hpp"
 #include "core/io/packed/pack.hpp"
 #include "core/io/packed/packed_description.hpp"
 #include "core/io/packed/packed_environment.hpp"
 #include "footfall/up_axis.hpp"
 #include "tests/unit/environment_files.hpp"
+#include "tests/unit/first_packed_version.hpp"
 #include "tests/unit/packed_round_trip.hpp"
 #include "tests/unit/program_run.hpp"
 #include "tests/unit/small_files.hpp"
@@ -30,11 +30,6 @@ std::uint64_t read64(const QByteArray& bytes, int at) {
 }
 
 /// Puts its check sum into a header that was changed.
-void seal(QByteArray& bytes) {
-  const CheckSum sum = Digest().add(std::string_view(bytes.constData(), kSummedHeader)).value();
-  std::memcpy(bytes.data() + kSummedHeader, sum.data(), sizeof sum);
-}
-
 }  // namespace
 
 class TestPackedEnvironment : public QObject {
@@ -248,30 +243,7 @@ class TestPackedEnvironment : public QObject {
     const TemporaryFolder folder;
     const std::string path = folder.write("waves.obj", waves()), target = folder.path("waves.ffenv");
     packEnvironment(path, target, {}, nullptr);
-    QByteArray first = readAll(target);
-    PackedHeader header;
-    std::memcpy(&header, first.constData(), sizeof header);
-    first.chop(sizeof(PackedCoarse));  // The coarse section is last.
-    header.version = 1;
-    // The description of the first versions ends before the grid.
-    const std::string description =
-        first.mid(static_cast<qsizetype>(header.descriptionOffset), static_cast<qsizetype>(header.descriptionSize))
-            .toStdString();
-    const auto isWhole = [&](std::size_t size) {
-      try {
-        return !decodeDescription(std::string_view(description).substr(0, size), 1).origin.empty();
-      } catch (const std::runtime_error&) {
-        return false;
-      }
-    };
-    while (header.descriptionSize > 0 && !isWhole(header.descriptionSize)) --header.descriptionSize;
-    QVERIFY(header.descriptionSize > 0 && header.descriptionSize < description.size());
-    header.descriptionSum = Digest().add(std::string_view(description).substr(0, header.descriptionSize)).value();
-    header.fileSize = static_cast<std::uint64_t>(first.size());
-    header.tableSum =
-        Digest().add(std::string_view(first.constData(), header.fileSize).substr(header.tableOffset)).value();
-    std::memcpy(first.data(), &header, sizeof header);
-    seal(first);
+    const QByteArray first = firstPackedVersion(readAll(target));
     const std::string old = folder.write("first.ffenv", first);
     QCOMPARE(differenceOf(*importEnvironment(path), *importEnvironment(old)), QString());
     int coarse = 0;
@@ -306,7 +278,7 @@ class TestPackedEnvironment : public QObject {
                                         read64(good, at) + 1, read64(good, at) - 1, std::uint64_t{0}}) {
         QByteArray changed = good;
         std::memcpy(changed.data() + at, &value, sizeof value);
-        seal(changed);
+        sealPacked(changed);
         if (changed == good) continue;
         const std::string file = folder.write("bad.ffenv", changed);
         QVERIFY2(!messageOf<InputError>([&] { importEnvironment(file); }).isEmpty(), qPrintable(QString::number(at)));
