@@ -192,7 +192,8 @@ static void testPipelines(void) {
   CHECK_FAILS(footfall_check_pipeline("ReachableFilter 1 2 3 4 5"), FOOTFALL_INPUT_ERROR, "pipeline:1:23:");
   CHECK_FAILS(footfall_run(level, "ReachableFilter 2000 0 0", NULL, NULL, 0, &result), FOOTFALL_INPUT_ERROR,
               "column 17: seed 1 at 2000 0 0 has no walkable place");
-  CHECK_FAILS(footfall_check_pipeline("DropFilter 1"), FOOTFALL_INPUT_ERROR, "pipeline:1:1: DropFilter asks how high");
+  CHECK_FAILS(footfall_check_pipeline("DropFilter 1"), FOOTFALL_INPUT_ERROR,
+              "pipeline:1:1: DropFilter needs VerticalClearance");
   CHECK_OK(footfall_run(level, "VerticalClearanceFilter 1.8\nDropFilter 0.5", NULL, NULL, 0, &result));
   const footfall_drops drops = footfall_result_drops(result);
   CHECK(drops.count == 1);
