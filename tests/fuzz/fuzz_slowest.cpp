@@ -1,6 +1,6 @@
 // footfall-fuzz-slowest: looks for the slowest input of 1,000 triangles, by mutation.
 //
-//   footfall-fuzz-slowest [--seconds N] [--seed S] [--triangles T] [--limit MS] [--folder F]
+//   footfall-fuzz-slowest [--seconds N] [--seed S] [--triangles T] [--limit MS] [--noise] [--folder F]
 //
 // Soups that took long are changed and crossed; what takes longer yet takes their places. A case is measured by the CPU
 // time of its one thread in the default pipeline, in a process of its own. The slowest is written to F (the current
@@ -101,17 +101,19 @@ int main(int argc, char** argv) {
   double seconds = 60, limitMs = 20000;
   std::uint64_t seed = 1;
   std::size_t triangles = 1000;
+  bool noisy = false;
   std::string folder = ".";
   CLI::App options("Looks for the slowest input of so many triangles");
   options.add_option("--seconds", seconds, "How long; the case under way is finished")->capture_default_str();
   options.add_option("--seed", seed, "Where to begin")->capture_default_str();
   options.add_option("--triangles", triangles, "How many")->check(CLI::Range(10, 1000000))->capture_default_str();
   options.add_option("--limit", limitMs, "The most CPU milliseconds that are no finding")->capture_default_str();
+  options.add_flag("--noise", noisy, "Coordinates that are off by their last bits as floats, too");
   options.add_option("--folder", folder, "Where the slowest case is written")->capture_default_str();
   CLI11_PARSE(options, argc, argv);
 
   const auto start = Clock::now();
-  SlowSoups soups(seed, triangles);
+  SlowSoups soups(seed, triangles, noisy);
   std::mt19937_64 dice(seed);
   std::vector<Case> best;
   std::size_t tried = 0;

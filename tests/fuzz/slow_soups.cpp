@@ -81,15 +81,16 @@ Triangles SlowSoups::make() {
           p = {std::floor(number(0, 20)), std::floor(number(0, 20)), std::floor(number(0, 4))};
     }
   }
-  if (below(2) == 0) addNoise(soup, 0, soup.size());
+  if (noisy_ && below(2) == 0) addNoise(soup, 0, soup.size());
   return soup;
 }
 
-// As a file of floats has it that matrices of floats placed.
+// The coordinates of a file of floats whose meshes are placed by matrices of floats: also where they cancel, errors are
+// those of numbers of a metre.
 void SlowSoups::addNoise(Triangles& soup, std::size_t first, std::size_t last) {
   const auto noisy = [&](double value) {
     const auto rounded = static_cast<float>(value);
-    const auto unit = static_cast<float>(std::ldexp(1.0, std::ilogb(std::fabs(rounded) + 1e-30F) - 23));
+    const auto unit = static_cast<float>(std::ldexp(1.0, std::ilogb(std::fabs(rounded) + 1.0F) - 23));
     return static_cast<double>(rounded + unit * static_cast<float>(static_cast<int>(below(5)) - 2));
   };
   for (std::size_t t = first; t < last; ++t)
@@ -130,7 +131,7 @@ void SlowSoups::change(Triangles& soup, std::size_t first, std::size_t last) {
 
 Triangles SlowSoups::mutate(const Triangles& soup, const Triangles& other) {
   Triangles result = soup;
-  if (below(8) == 0) addNoise(result, 0, result.size());
+  if (noisy_ && below(8) == 0) addNoise(result, 0, result.size());
   for (std::size_t rounds = 1 + below(4); rounds > 0; --rounds) {
     const std::size_t length = 1 + below(std::max<std::size_t>(result.size() / (1 + below(20)), 1));
     const std::size_t to = below(result.size() - length + 1);

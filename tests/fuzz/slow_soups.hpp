@@ -16,10 +16,11 @@ using Triangles = std::vector<std::array<Vec3, 3>>;
 /// Makes and changes soups of at most `most` triangles. What it does follows from the seed alone, on any machine.
 class SlowSoups {
  public:
-  SlowSoups(std::uint64_t seed, std::size_t most) : engine_(seed), most_(most) {}
+  /// `noisy`: every second soup has coordinates that are off by their last bits as floats.
+  SlowSoups(std::uint64_t seed, std::size_t most, bool noisy = false) : engine_(seed), most_(most), noisy_(noisy) {}
 
   /// Something known to be much work: floors above each other, slabs or blades over a floor, needles, walls, ramps,
-  /// crates at all angles, furniture; every second time with coordinates that are off by their last bits as floats.
+  /// crates at all angles, furniture.
   Triangles make();
   /// A soup with a few runs of its triangles copied, moved, turned, stretched or snapped, or taken from `other`.
   Triangles mutate(const Triangles& soup, const Triangles& other);
@@ -32,6 +33,7 @@ class SlowSoups {
 
   std::mt19937_64 engine_;
   std::size_t most_;
+  bool noisy_;
 };
 
 }  // namespace footfall::fuzz
