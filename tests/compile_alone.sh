@@ -12,9 +12,12 @@ build="${repository}/build/alone"
 mkdir -p "${repository}/build"
 quietly "${build}.log" cmake -S "${repository}" -B "${build}" -G Ninja -DCMAKE_BUILD_TYPE=Debug -DFOOTFALL_UNITY=OFF \
   -DFOOTFALL_TESTS=OFF -DFOOTFALL_PYTHON=OFF -DFOOTFALL_WERROR=ON -DCMAKE_EXPORT_COMPILE_COMMANDS=ON -DCMAKE_AUTOGEN_ORIGIN_DEPENDS=OFF
-headers=()
-while read -r target; do headers+=("${target}"); done < <(ninja -C "${build}" -t targets all | sed -n 's/: .*//; /cmake_pch.hxx.gch$/p')
-quietly "${build}.log" cmake --build "${build}" -j "$(build_jobs)" --target footfall_ui_autogen "${headers[@]}"
+# Generated sources and precompiled headers, without the library that their targets depend on.
+quietly "${build}.log" cmake -E cmake_autogen "${build}/ui/CMakeFiles/footfall_ui_autogen.dir/AutogenInfo.json" Debug
+while read -r header; do
+  command="$(ninja -C "${build}" -t commands "${header}" | tail -n 1)"
+  (cd -- "${build}" && quietly "${build}.log" sh -c "${command}")
+done < <(ninja -C "${build}" -t targets all | sed -n 's/: .*//; /cmake_pch.hxx.gch$/p')
 python3 - "${build}" "${repository}" "$(build_jobs)" <<'PYTHON'
 import concurrent.futures, json, os, re, shlex, subprocess, sys
 build, repository, jobs = sys.argv[1], os.path.realpath(sys.argv[2]), int(sys.argv[3])
