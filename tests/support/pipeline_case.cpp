@@ -171,11 +171,11 @@ std::string filter(const char* name, double value) {
 }
 
 std::vector<std::string> chooseSameSetFilters(Dice& dice, double slope, double clearance) {
-  std::vector<std::string> filters{filter("SlopeFilter", slope), filter("VerticalClearanceFilter", clearance)};
+  std::vector<std::string> filters{filter("SlopeFilter", slope) + " 0", filter("VerticalClearanceFilter", clearance)};
   for (int more = dice.below(6); more > 0; --more) {
     switch (dice.below(7)) {
       case 0:
-        filters.push_back(filter("SlopeFilter", slope + (90 - slope) * dice.oneOf({0.0, 0.25, 0.5})));
+        filters.push_back(filter("SlopeFilter", slope + (90 - slope) * dice.oneOf({0.0, 0.25, 0.5})) + " 0");
         break;
       case 1:
         filters.push_back(filter("VerticalClearanceFilter", clearance * dice.oneOf({1.0, 0.75, 0.5})));
