@@ -13,15 +13,15 @@
 namespace footfall::detail {
 namespace {
 
-/// A thread of its own: a worker of TBB that comes for a task where a run may have one thread only keeps a processor
-/// busy, looking for more, until long after.
+/// The releaser has a thread of its own, because a TBB worker that picks up one task keeps a processor busy looking for
+/// more long afterwards, also where the run may use one thread only.
 class Releaser {
  public:
   Releaser() {
     std::thread([this] { work(); }).detach();
   }
 
-  /// False where too much waits already: runs that follow each other closely would let it grow with every run.
+  /// Returns false where too much is queued already; otherwise the queue would grow with every run of a quick series.
   bool take(std::shared_ptr<const void>& thing) {
     constexpr std::size_t kMostWaiting = 4;
     const std::lock_guard lock(mutex_);
@@ -53,10 +53,10 @@ class Releaser {
 
 void releaseInBackground(std::shared_ptr<const void> thing) noexcept {
   try {
-    // Never destroyed: a program may end before the last thing is gone.
+    // This object is never destroyed, because the program may end before the last release is done.
     static auto* const releaser = new Releaser;
     releaser->take(thing);
-  } catch (...) {  // no thread, no memory: `thing` is freed here
+  } catch (...) {  // there is no thread or no memory, so `thing` is freed here
   }
 }
 

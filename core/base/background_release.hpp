@@ -1,4 +1,4 @@
-// Freeing what is large where nobody waits for it: taking down a gigabyte takes longer than a cancelled run may last.
+// Freeing large objects in the background. Freeing a gigabyte takes longer than cancelling a run may take.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,28 +10,30 @@
 
 namespace footfall::detail {
 
-/// Drops a reference on another thread of the library's own, soon. Where that cannot be arranged it is dropped at once.
+/// Drops a reference soon, on a thread of the library's own. The reference is dropped at once where no such thread can
+/// be had.
 void releaseInBackground(std::shared_ptr<const void> thing) noexcept;
 
-/// Gives memory that was freed back to the system, as far as the allocator keeps whole pages of it. Takes a millisecond
+/// Returns freed memory to the system, as far as the allocator holds whole pages of it. This takes about a millisecond
 /// for some tens of megabytes.
 void returnFreedMemory() noexcept;
 
-/// From now on the process keeps most of what it frees for what it needs next, up to returnFreedMemory(); blocks above
-/// 32 MB and what threads had alone may still go. New pages are up to a fifth of a run over a million triangles. For
-/// programs that compute once and end; not for those that wait for a person, or keep within a bound of memory.
+/// Makes the process keep most of the memory that it frees for later allocations, until returnFreedMemory() is called.
+/// Blocks above 32 MB and memory of single threads may still be returned. Fresh pages cost up to a fifth of a run over
+/// a million triangles. This suits programs that compute once and end, and not programs that wait for a person or keep
+/// within a bound of memory.
 void keepFreedMemory() noexcept;
 
-/// Holds references to things that may be large. When an exception passes, the references that are the last to a thing
-/// are dropped in the background, otherwise on this thread. To be declared before all others that hold the things.
+/// Holds references to objects that may be large. When an exception passes, each last reference is dropped in the
+/// background; otherwise it is dropped on this thread. Declare it before everything else that holds the objects.
 class ReleaseOnException {
  public:
-  /// `isLarge`: whether freeing the things is worth another thread.
+  /// `isLarge` is true when freeing the objects is worth another thread.
   explicit ReleaseOnException(bool isLarge) : isLarge_(isLarge), exceptions_(std::uncaught_exceptions()) {}
   ~ReleaseOnException() {
     if (std::uncaught_exceptions() == exceptions_) return;
     for (std::shared_ptr<const void>& thing : things_) {
-      // Others may drop theirs meanwhile; whoever is last frees it.
+      // Other holders may drop their references meanwhile; the last holder frees the object.
       if (thing.use_count() == 1) releaseInBackground(std::move(thing));
     }
   }
@@ -48,7 +50,7 @@ class ReleaseOnException {
   std::vector<std::shared_ptr<const void>> things_;
 };
 
-/// Freeing what was made of at least so many triangles is worth another thread.
+/// Objects made of at least this many triangles are worth freeing on another thread.
 inline constexpr std::size_t kLargeRelease = 1 << 14;
 
 }  // namespace footfall::detail

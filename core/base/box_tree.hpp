@@ -1,4 +1,4 @@
-// Which of many boxes may overlap a query box? A tree that is built in almost linear time, for one pass of queries.
+// A tree that finds the boxes that may overlap a query box. It is built in almost linear time, for one pass of queries.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -50,7 +50,7 @@ class BoxTree {
           add(sum, other);
           return sum;
         });
-    double extent = 0;  // halves, as the whole may overflow
+    double extent = 0;  // halves, because the whole may overflow
     for (int k = 0; k < D; ++k) {
       if (all.lower[k] > all.upper[k]) all.lower[k] = all.upper[k] = 0;
       centre_[k] = all.lower[k] / 2 + all.upper[k] / 2;
@@ -90,11 +90,11 @@ class BoxTree {
     }
   }
 
-  /// Boxes have places along the curve.
+  /// Places number the boxes along the curve.
   [[nodiscard]] Index size() const { return static_cast<Index>(ids_.size()); }
   [[nodiscard]] Index idAt(Index place) const { return ids_[place]; }
 
-  /// Calls visit(id) for every box that may overlap the query; only for those from place `first` on.
+  /// Calls visit(id) for every box at place `first` or later that may overlap the query.
   template <class Visit>
   void visitOverlapping(const Bounds& query, Visit visit, Index first = 0) const {
     if (levels_.empty()) return;
@@ -104,8 +104,8 @@ class BoxTree {
 
   /// Boxes in a row along the curve whose neighbours are found together: that takes a fraction of the work.
   static constexpr Index kRow = 4;
-  /// Calls visit(place, id) for every box that may overlap the query of an earlier place in the row from `first` on:
-  /// `queries` has one for each, kRow at most.
+  /// Calls visit(place, id) for every box that may overlap the query of an earlier place in the row that begins at
+  /// `first`. `queries` has one query for each place of the row, kRow at most.
   template <class Visit>
   void visitOverlapping(Index first, const std::vector<Bounds>& queries, Visit visit) const {
     if (levels_.empty() || queries.empty()) return;
@@ -126,7 +126,8 @@ class BoxTree {
   struct Node {
     std::array<float, D> lower{}, upper{};
   };
-  /// Four boxes, coordinate by coordinate, so that they are compared at once; those that are not used overlap nothing.
+  /// Four boxes, stored coordinate by coordinate so that one instruction compares all four. Unused boxes overlap
+  /// nothing.
   struct Group {
     std::array<Float4, D> lower, upper;
     Group() {
@@ -153,7 +154,7 @@ class BoxTree {
   static constexpr int kBits = 30 / D;
   static constexpr double kCells = 1 << kBits;
   static constexpr Index kPerTask = 2048;
-  static constexpr std::ptrdiff_t kSorted = 1 << 13;  ///< so many keys are a block
+  static constexpr std::ptrdiff_t kSorted = 1 << 13;  ///< keys in a block
 
   template <class Work>
   static void forBlocks(Index count, Poll poll, Work work) {
@@ -174,7 +175,7 @@ class BoxTree {
     none.upper.fill(-kLargest);
     return none;
   }
-  /// Makes the bounds hold the finite places of others, too.
+  /// Extends the bounds to the finite coordinates of others.
   static void add(Bounds& all, const Bounds& b) {
     for (int k = 0; k < D; ++k) {
       if (std::isfinite(b.lower[k])) all.lower[k] = std::min(all.lower[k], b.lower[k]);
@@ -189,8 +190,8 @@ class BoxTree {
     return result;
   }
 
-  /// Radix sort, stable. Each pass counts the digits of blocks, and then moves what is in them, so that the order is
-  /// that of one block.
+  /// Stable radix sort. Each pass counts the digits of blocks and then moves the blocks' entries; the order is that of
+  /// sorting all entries as one block.
   static void sortByKey(std::vector<std::pair<std::uint32_t, Index>>& order, Poll poll) {
     if (order.size() < 256) {
       std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -224,7 +225,8 @@ class BoxTree {
     }
   }
 
-  /// A number in the tree's frame as a float; never infinite, so that nothing overlaps a box that is not used.
+  /// Converts a coordinate in the tree's frame to float. The result is never infinite, so that no query overlaps an
+  /// unused box.
   static float inFloats(double x) {
     constexpr double kLargest = std::numeric_limits<float>::max();
     return static_cast<float>(std::clamp(x, -kLargest, kLargest));

@@ -1,4 +1,5 @@
-// Numbers as bytes and back: small ones take few bytes, and whatever is read is checked against what is there.
+// Writing numbers as bytes and reading them back. Small numbers take few bytes, and the reader checks every number
+// against its range and the bytes that are left.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// Bytes that are not what they should be.
+/// Thrown for bytes that no writer can have written.
 struct BadBytes : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -23,7 +24,7 @@ class ByteWriter {
     for (; value >= 0x80; value >>= 7) bytes.push_back(static_cast<char>(value | 0x80));
     bytes.push_back(static_cast<char>(value));
   }
-  /// Near zero on either side is short.
+  /// Numbers near zero, of either sign, take few bytes.
   void signedNumber(std::int64_t value) {
     number((static_cast<std::uint64_t>(value) << 1) ^ static_cast<std::uint64_t>(value >> 63));
   }
@@ -40,7 +41,7 @@ class ByteWriter {
   std::string bytes;
 };
 
-/// Every function throws BadBytes where the bytes end too early or are not in range.
+/// Every function throws BadBytes where the bytes end too early or a number is out of range.
 class ByteReader {
  public:
   explicit ByteReader(std::string_view bytes) : bytes_(bytes) {}
@@ -59,13 +60,14 @@ class ByteReader {
     const std::uint64_t value = number();
     return static_cast<std::int64_t>(value >> 1) ^ -static_cast<std::int64_t>(value & 1);
   }
-  /// At least 0 and below `end`.
+  /// A number of at least 0 and below `end`.
   std::int32_t below(std::int64_t end) {
     const std::uint64_t value = number();
     if (end <= 0 || value >= static_cast<std::uint64_t>(end)) throw BadBytes("a number is out of range");
     return static_cast<std::int32_t>(value);
   }
-  /// The length of a list whose items take `least` bytes or more each: never more than there can be.
+  /// The length of a list whose items take at least `least` bytes each; it is never more than the remaining bytes can
+  /// hold.
   std::size_t count(std::size_t least) {
     const std::uint64_t value = number();
     if (value > bytes_.size() / least) throw BadBytes("a list is longer than the bytes");

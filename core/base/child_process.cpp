@@ -24,7 +24,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kPollMs = 20;
-constexpr double kWatchMs = 10;  ///< between two looks at the memory of a program
+constexpr double kWatchMs = 10;  ///< time between two checks of a program's memory
 constexpr int kPipeBytes = 1 << 20;
 constexpr double kKilledMs = 2000;
 constexpr std::size_t kMostErrors = 64 * 1024;
@@ -65,18 +65,18 @@ Pipe makePipe() {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) failStarting(errno);
   Pipe pipe{Descriptor(ends[0]), Descriptor(ends[1])};
-  // Where standard input or output is closed, a pipe may get its number, which the program that is started needs.
+  // A pipe may get number 0, 1 or 2 where standard input or output is closed; the started program needs these numbers.
   for (Descriptor* end : {&pipe.from, &pipe.to}) {
     if (end->number() > STDERR_FILENO) continue;
     const int moved = ::fcntl(end->number(), F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
     if (moved < 0) failStarting(errno);
     *end = Descriptor(moved);
   }
-  ::fcntl(pipe.to.number(), F_SETPIPE_SZ, kPipeBytes);  // a larger one is only faster
+  ::fcntl(pipe.to.number(), F_SETPIPE_SZ, kPipeBytes);  // a larger pipe is only faster
   return pipe;
 }
 
-/// The memory that a process holds; 0 where that is not known, as behind its end.
+/// The resident memory of a process; 0 where it is not known, as after its end.
 std::uint64_t residentBytes(pid_t process) {
   const std::string name = "/proc/" + std::to_string(process) + "/statm";
   const Descriptor file(::open(name.c_str(), O_RDONLY | O_CLOEXEC));
@@ -91,14 +91,14 @@ std::uint64_t residentBytes(pid_t process) {
   return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// What a program writes, as far as it was read.
+/// The outputs of a program, as far as they have been read.
 class Outputs {
  public:
   explicit Outputs(ChildResult& result) : output_(makePipe()), errors_(makePipe()), result_(result) {}
 
   [[nodiscard]] int outputEnd() const { return output_.to.number(); }
   [[nodiscard]] int errorsEnd() const { return errors_.to.number(); }
-  /// The ends that the program has for its own.
+  /// Closes the ends of the pipes that the program writes to.
   void closeWritten() {
     output_.to.close();
     errors_.to.close();
@@ -106,7 +106,7 @@ class Outputs {
   [[nodiscard]] std::uint64_t size() const { return result_.output.size(); }
   [[nodiscard]] bool areOpen() const { return output_.from.number() >= 0 || errors_.from.number() >= 0; }
 
-  /// Waits for more, 20 ms at most.
+  /// Waits for more output, 20 ms at most.
   void read() {
     std::array<pollfd, 2> waiting = {pollfd{output_.from.number(), POLLIN, 0},
                                      pollfd{errors_.from.number(), POLLIN, 0}};
@@ -129,7 +129,8 @@ class Outputs {
   std::vector<char> buffer_ = std::vector<char>(1 << 18);
 };
 
-/// A process that does not outlive this, and nor do those that it has started: they are a group.
+/// A process that does not outlive this object. The processes that it has started do not either, because they share its
+/// process group.
 class Child {
  public:
   Child(Outputs& outputs, ChildEnding ending, double graceMs) : outputs_(outputs), ending_(ending), graceMs_(graceMs) {}
@@ -146,14 +147,14 @@ class Child {
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_adddup2(&actions, outputs_.outputEnd(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, outputs_.errorsEnd(), STDERR_FILENO);
-    // Footfall's programs wait for signals themselves; what is blocked here must not be so there.
+    // Footfall's programs block signals and wait for them; the started program must not inherit the blocked set.
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     sigset_t none;
     sigemptyset(&none);
     posix_spawnattr_setsigmask(&attributes, &none);
     posix_spawnattr_setpgroup(&attributes, 0);
-    sigset_t ignored;  // what a program may ignore here ends others, as it should
+    sigset_t ignored;  // signals that a program may ignore here must end the started program
     sigemptyset(&ignored);
     sigaddset(&ignored, SIGPIPE);
     posix_spawnattr_setsigdefault(&attributes, &ignored);
@@ -174,7 +175,8 @@ class Child {
     isGoneWithin(kKilledMs);
   }
   [[nodiscard]] pid_t id() const { return id_; }
-  /// Waits for its end; it may go on long after it has closed its output. `poll` returns whether to wait on.
+  /// Waits for the end of the process, which may run long after it has closed its output. Waiting goes on as long as
+  /// `poll` returns true.
   template <class Polling>
   int wait(const Polling& poll) {
     int status = 0;
@@ -190,7 +192,7 @@ class Child {
   }
 
  private:
-  // What they still write is read: else a full pipe would keep them from ending.
+  // Output is read while waiting; a full pipe would keep the processes from ending.
   bool isGoneWithin(double ms) {
     for (const Stopwatch watch; watch.wallMs() < ms;) {
       if (!isReaped_) isReaped_ = ::waitpid(id_, nullptr, WNOHANG) == id_;
@@ -206,11 +208,11 @@ class Child {
   Outputs& outputs_;
   ChildEnding ending_;
   double graceMs_;
-  pid_t id_ = -1;  ///< and that of its group
+  pid_t id_ = -1;  ///< also the number of its process group
   bool isReaped_ = false;
 };
 
-/// Looks now and then at what a program uses.
+/// Checks from time to time what a program uses.
 class LimitWatch {
  public:
   explicit LimitWatch(const ChildLimits& limits) : limits_(limits) {}
@@ -248,7 +250,7 @@ ChildResult runChild(const std::vector<std::string>& arguments, Poll poll, Child
   }
   outputs.closeWritten();
   const LimitWatch watch(limits);
-  // Returns whether it may go on.
+  // Returns whether the program is within its limits.
   const auto isWithin = [&] {
     poll();
     result.end = watch.look(child.id(), outputs.size());

@@ -1,4 +1,4 @@
-// Many small things in few blocks of memory, which go together.
+// Many small objects in few blocks of memory that are freed together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// Where copies of one thread lie, that are let go together: each holds all of it.
+/// Memory for copies made by one thread that are freed together; every copy keeps the whole memory alive.
 using CopyMemory = std::shared_ptr<std::pmr::monotonic_buffer_resource>;
 
 [[nodiscard]] inline CopyMemory makeCopyMemory() {
@@ -17,13 +17,13 @@ using CopyMemory = std::shared_ptr<std::pmr::monotonic_buffer_resource>;
   return std::make_shared<std::pmr::monotonic_buffer_resource>(kFirstBlock);
 }
 
-/// A copy that is never destroyed: all that it has lies in the memory as well, without room to grow.
+/// Returns a copy that is never destroyed. Everything that it owns lies in the memory as well, without room to grow.
 template <class T>
 T* copyInto(const CopyMemory& memory, const T& value) {
   return new (memory->allocate(sizeof(T), alignof(T))) T(value, memory.get());
 }
 
-/// The same as a value of many that are kept.
+/// Returns the copy as a shared pointer that keeps the memory alive.
 template <class T>
 std::shared_ptr<const T> keptIn(const CopyMemory& memory, const T& value) {
   return {memory, copyInto(memory, value)};

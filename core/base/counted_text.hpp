@@ -12,17 +12,18 @@
 
 namespace footfall::detail {
 
-/// For texts that are translated: `one`, or `many` with the number in its place %1.
+/// Returns a text that can be translated: `one`, or `many` with the number in its place %1.
 inline Text countedText(std::uint64_t n, Pattern one, Pattern many) {
   return n == 1 ? Text(one) : Text(many, Text::count(n));
 }
 
-/// For output that is English everywhere: "1 layer", "2 layers".
+/// Returns English text for output that is never translated: "1 layer", "2 layers".
 inline std::string counted(std::uint64_t n, std::string_view one, std::string_view many) {
   return std::to_string(n) + ' ' + std::string(n == 1 ? one : many);
 }
 
-/// A number as printf() formats it, `format` having one place for a double. What is rounded to zero has no sign.
+/// Formats a number with a printf() format that has one place for a double. A number that is rounded to zero has no
+/// sign.
 inline std::string formatted(double value, const char* format) {
   std::array<char, 400> buffer;
   std::snprintf(buffer.data(), buffer.size(), format, value);

@@ -1,4 +1,4 @@
-// A fingerprint of bytes: tells damage and differences, and is no protection against somebody who forges.
+// A fingerprint of bytes. It detects damage and differences, and is no protection against forgery.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class Digest {
   using Value = std::array<std::uint64_t, 2>;
 
   Digest& add(std::string_view bytes) {
-    word(bytes.size());  // so that the border between two texts counts
+    word(bytes.size());  // marks the border between two texts
     while (bytes.size() >= sizeof(std::uint64_t)) {
       std::uint64_t next;
       std::memcpy(&next, bytes.data(), sizeof(next));
@@ -36,7 +36,7 @@ class Digest {
   requires std::is_arithmetic_v<Number> Digest& add(Number number) {
     return add(std::string_view(reinterpret_cast<const char*>(&number), sizeof(number)));
   }
-  /// Of a type without padding.
+  /// Adds items of a type without padding.
   template <class Item>
   requires std::is_trivially_copyable_v<Item> Digest& add(std::span<const Item> items) {
     return add(std::string_view(reinterpret_cast<const char*>(items.data()), items.size_bytes()));

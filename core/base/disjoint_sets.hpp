@@ -1,4 +1,4 @@
-// Union-find over numbered elements; the smallest number of a set represents it, so results do not depend on the order
+// Union-find over numbered elements. The smallest number of a set represents it, so results do not depend on the order
 // of the unions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
@@ -18,7 +18,7 @@ class DisjointSets {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// Makes one set of the sets of two elements. Returns whether they were two.
+  /// Merges the sets of two elements. Returns whether they were two sets.
   bool unite(Index a, Index b) {
     a = find(a);
     b = find(b);
@@ -26,7 +26,7 @@ class DisjointSets {
     parent_[std::max(a, b)] = std::min(a, b);
     return true;
   }
-  /// For each element its set; sets are numbered from 0 in the order of their smallest elements.
+  /// Returns the set number of each element; sets are numbered from 0 in the order of their smallest elements.
   std::vector<Index> numbers(Index& setCount) {
     std::vector<Index> numbers(parent_.size());
     setCount = 0;

@@ -1,4 +1,4 @@
-// Two doubles that are computed with at once (an extension of GCC and Clang on all processors).
+// Two doubles in one register (an extension of GCC and Clang on all processors).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,10 @@
 namespace footfall::detail {
 
 using Double2 = double __attribute__((vector_size(16)));
-/// What comparing two Double2 gives: all bits of a lane, or none.
+/// The result of comparing two Double2: all bits of a lane, or none.
 using Long2 = decltype(Double2{} < Double2{});
 
-/// Bit i: lane i of a comparison is true.
+/// A bit mask; bit i is set where lane i of a comparison is true.
 inline unsigned maskOf(Long2 lanes) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_pd(std::bit_cast<__m128d>(lanes)));

@@ -19,7 +19,7 @@ constexpr Pattern kThreads = FOOTFALL_TEXT(
 std::optional<Text> exhaustionText(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error) != nullptr) return kMemory;
   const std::string_view what = error.what();
-  // TBB has no codes for it.
+  // TBB has no error codes for this failure.
   if (what.find("pthread_create") != std::string_view::npos) return kThreads;
   if (what.find("bad_alloc") != std::string_view::npos) return kMemory;
   const auto* system = dynamic_cast<const std::system_error*>(&error);

@@ -1,4 +1,4 @@
-// Errors of the system that say that something ran out, as sentences for people.
+// Messages for exhausted resources: open files, threads, memory, disk.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace footfall::detail {
 
-/// What ran out and what to do, where an error of the system or of a library means that: open files, threads, memory,
-/// disk. Empty for all others.
+/// The message for an error of the system or of a library that means an exhausted resource (open files, threads,
+/// memory, disk); empty for all other errors. The message names the resource and what to do.
 std::optional<Text> exhaustionText(const std::exception& error);
 
 }  // namespace footfall::detail

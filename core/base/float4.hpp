@@ -1,4 +1,4 @@
-// Four floats that are computed with at once (an extension of GCC and Clang on all processors).
+// Four floats in one register (an extension of GCC and Clang on all processors).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +12,10 @@
 namespace footfall::detail {
 
 using Float4 = float __attribute__((vector_size(16)));
-/// What comparing two Float4 gives: all bits of a lane, or none.
+/// The result of comparing two Float4: all bits of a lane, or none.
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
-/// Bit i: lane i of a comparison is true, or negative.
+/// A bit mask; bit i is set where lane i of a comparison is true, or negative.
 inline unsigned maskOf(Int4 lanes) {
 #ifdef __SSE2__
   return static_cast<unsigned>(_mm_movemask_ps(std::bit_cast<__m128>(lanes)));

@@ -1,4 +1,4 @@
-// Orders of points in a plane and in space in which neighbours mostly lie near each other.
+// Hilbert curves in the plane and in space: orders in which neighbours mostly lie near each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,12 +9,12 @@
 namespace footfall::detail {
 
 struct HilbertStep {
-  std::uint8_t place = 0;  ///< among the 256 cells
-  std::uint8_t turn = 0;   ///< below the cell
+  std::uint8_t place = 0;  ///< among the 256 squares
+  std::uint8_t turn = 0;   ///< below the square
 };
 
-/// Four levels of the curve at once. Below the cells of a level it is turned in one of four ways: x and y swapped (1),
-/// both counted from the other end (2).
+/// Four levels of the curve in one step. Below the squares of a level the curve is turned in one of four ways: x and y
+/// swapped (1), both counted from the other end (2).
 struct HilbertTurns {
   std::array<std::array<HilbertStep, 256>, 4> steps{};  ///< [turn][four bits of x, then of y]
 
@@ -33,7 +33,7 @@ struct HilbertTurns {
   }
 };
 
-/// The place of a cell along a Hilbert curve over 2^16 x 2^16 cells.
+/// The place of a square along a Hilbert curve over 2^16 x 2^16 squares.
 inline std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
   static constexpr HilbertTurns kTurns;
   std::uint64_t index = 0;
@@ -50,7 +50,7 @@ inline std::uint64_t hilbertIndex(std::uint32_t x, std::uint32_t y) {
 /// Bits of each coordinate of hilbertIndex3().
 inline constexpr int kHilbertBits3 = 20;
 
-/// The place of a cell along a Hilbert curve over 2^20 x 2^20 x 2^20 cells (Skilling, Programming the Hilbert curve,
+/// The place of a cube along a Hilbert curve over 2^20 x 2^20 x 2^20 cubes (Skilling, Programming the Hilbert curve,
 /// 2004).
 inline std::uint64_t hilbertIndex3(std::array<std::uint32_t, 3> place) {
   constexpr std::uint32_t kTop = 1U << (kHilbertBits3 - 1);

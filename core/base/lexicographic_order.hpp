@@ -1,4 +1,4 @@
-// The order of many triples of numbers by their first, second and third, in time that hardly grows faster than theirs.
+// The order of many triples of numbers by their first, second and third number, in almost linear time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,9 @@
 
 namespace footfall::detail {
 
-/// Sorts by radix on keys of 32 bits: where a number lies between the least and the greatest, which never decreases
-/// with the number. Numbers with equal keys are sorted again between theirs; equal numbers by the next of the triple.
+/// Sorts by radix on keys of 32 bits. A key is the place of a number between the least and the greatest, and never
+/// decreases with the number. Numbers with equal keys are sorted again between their least and greatest; equal numbers
+/// are sorted by the next number of the triple.
 template <class ValueOf>
 class LexicographicOrder {
  public:
@@ -56,11 +57,11 @@ class LexicographicOrder {
       greatest = std::max(greatest, x);
     }
     if (least == greatest) {
-      // Equal in all: they are in the order of their indices from the start.
+      // Entries that are equal in all three numbers are already in the order of their indices.
       if (axis < 2) sort(first, last, axis + 1, inParallel);
       return;
     }
-    // Halves, as the difference may overflow; rounding and conversion keep the order.
+    // Halves are subtracted, because the difference may overflow; rounding and conversion keep the order.
     const double scale = std::numeric_limits<std::uint32_t>::max() / (greatest * 0.5 - least * 0.5);
     if (!std::isfinite(scale)) return sortByComparing(entries, axis);
     for (Entry& e : entries) {
@@ -84,7 +85,7 @@ class LexicographicOrder {
     });
   }
 
-  /// Stable, from the last digit of the keys to the first; digits that are the same in all keys cost nothing.
+  /// Stable radix sort from the last digit of the keys to the first; digits that are equal in all keys cost nothing.
   void sortByKeys(std::span<Entry> entries, std::span<Entry> scratch) {
     std::array<std::array<std::uint32_t, kBuckets>, kDigits> counts{};
     for (const Entry e : entries)

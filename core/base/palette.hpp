@@ -9,7 +9,7 @@ namespace footfall::detail {
 /// Red, green and blue from 0 to 255, as in sRGB.
 using Rgb = std::array<int, 3>;
 
-// Colours that people with the common colour deficiencies can tell apart (Okabe and Ito 2008).
+// Colours that people with the common colour deficiencies can distinguish (Okabe and Ito 2008).
 inline constexpr Rgb kOrange{230, 159, 0};
 inline constexpr Rgb kSkyBlue{86, 180, 233};
 inline constexpr Rgb kBluishGreen{0, 158, 115};

@@ -96,13 +96,13 @@ void parallelInvoke(const Bodies&... bodies) {
   runTogether(all);
 }
 
-/// Calls work(), whose parallel work this thread does not leave for other parts of the group while it waits.
+/// Calls work(). While this thread waits for parallel work inside it, it does not start other tasks of the group.
 template <class Work>
 void isolated(const Work& work) {
   runIsolated(InvokedBody(work));
 }
 
-/// One T for each thread that asks for it. local() may be called by any thread; all else needs all threads to be done.
+/// One T for each thread that calls local(), which any thread may call. Everything else needs all threads to be done.
 template <class T>
 class PerThread {
  public:
@@ -117,7 +117,7 @@ class PerThread {
   PerThread(const PerThread&) = delete;
   PerThread& operator=(const PerThread&) = delete;
 
-  /// The value of this thread, made at its first call. When making it throws, the next call tries again.
+  /// The value of this thread, made at its first call. When making it throws, the next call makes it again.
   T& local() {
     const std::thread::id self = std::this_thread::get_id();
     for (Node* node = first_.load(std::memory_order_acquire); node != nullptr; node = node->next)

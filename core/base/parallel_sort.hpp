@@ -13,14 +13,15 @@
 
 namespace footfall::detail {
 
-/// Sorts like std::sort(), on any threads; `less` may be called by several at a time, and may throw. Throws Cancelled
-/// when the sorting ended early, as the functions of parallel.hpp do.
+/// Sorts like std::sort(), on any threads. Several threads may call `less` at a time, and it may throw. Throws
+/// Cancelled when the sorting ended early, as the functions of parallel.hpp do.
 template <class Iterator, class Less = std::less<>>
 void parallelSort(Iterator first, Iterator last, const Less& less = {}) {
   constexpr std::size_t kCheckedPerTask = 1 << 14;
   if (last - first < 2) return;
   tbb::parallel_sort(first, last, less);
-  // The library's sort takes no group whose state could be read afterwards. The order itself shows what is missing.
+  // The library's sort has no task group whose state could be read afterwards, so the order itself shows whether it
+  // ended early.
   using Distance = decltype(last - first);
   forRanges(static_cast<std::size_t>(last - first) - 1, kCheckedPerTask, [&](std::size_t from, std::size_t to) {
     if (!std::is_sorted(first + static_cast<Distance>(from), first + static_cast<Distance>(to) + 1, less))

@@ -1,4 +1,4 @@
-// How long loops ask whether they were cancelled.
+// How loops find out whether they were cancelled.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,9 +21,9 @@ class Poll {
   /// A poll that never cancels.
   Poll() = default;
   Poll(const RunContext& context) : Poll(&context) {}
-  /// Asks a context; without one the poll never cancels.
+  /// Polls a context; without one the poll never cancels.
   explicit Poll(const RunContext* context) : object_(context), call_(context != nullptr ? checkContext : nothing) {}
-  /// Calls a function, which may throw what it likes.
+  /// Calls a function, which may throw anything.
   template <PollFunction Function>
   Poll(Function&& function)
       : object_(std::addressof(function)),

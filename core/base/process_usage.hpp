@@ -1,4 +1,4 @@
-// What this process has used so far, as the operating system counts it.
+// The resources that this process has used so far, as the operating system counts them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,10 +10,10 @@ namespace footfall::detail {
 /// CPU time of all threads of the process in milliseconds.
 double processCpuMs();
 
-/// The most physical memory that the process has held at once, in bytes.
+/// The peak of the physical memory of the process, in bytes.
 std::uint64_t peakRssBytes();
 
-/// Wall and CPU time since it was made.
+/// Wall and CPU time since the stopwatch was made.
 class Stopwatch {
  public:
   [[nodiscard]] double wallMs() const {

@@ -10,7 +10,7 @@
 
 namespace footfall::detail {
 
-/// Reading costs what it costs of a vector, copying the array a pointer.
+/// Reading is as fast as reading a vector; copying the array copies a pointer.
 template <class T>
 class SharedArray {
  public:
@@ -19,7 +19,7 @@ class SharedArray {
     data_ = values_->data();
     size_ = values_->size();
   }
-  /// So many elements with their default.
+  /// An array of `size` default elements.
   explicit SharedArray(std::size_t size) : SharedArray(std::vector<T>(size)) {}
   SharedArray(const SharedArray&) = default;
   SharedArray& operator=(const SharedArray&) = default;
@@ -43,8 +43,8 @@ class SharedArray {
   [[nodiscard]] const T* end() const { return data_ + size_; }
   operator std::span<const T>() const { return {data_, size_}; }  // NOLINT(google-explicit-constructor)
 
-  /// The elements, to be changed: copied first where another array shares them. Threads may call it at the same time
-  /// when no other array does.
+  /// Returns the elements for writing. They are copied first where another array shares them. Threads may call it at
+  /// the same time when no other array shares them.
   T* own() {
     if (values_.use_count() > 1) *this = SharedArray(*values_);
     return data_;

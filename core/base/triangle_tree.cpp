@@ -10,10 +10,11 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kWidth = 4;      // children of a node
-constexpr std::size_t kSlabSize = 32;  // smaller nodes are split by count, to fill those below; larger ones by area
+constexpr std::size_t kWidth = 4;  // children of a node
+// smaller nodes are split by count, which fills the nodes below; larger ones by area
+constexpr std::size_t kSlabSize = 32;
 constexpr int kBins = 16;
-// Below this depth everything is split by count, so that no input makes the tree, and the recursion, deep.
+// Below this depth every node is split by count, so that no input makes the tree, and the recursion, deep.
 constexpr int kAreaDepth = 24;
 
 Float4 smaller(Float4 a, Float4 b) { return a < b ? a : b; }
@@ -46,7 +47,7 @@ Float4 upperOf(const TreeItem& item) {
   return upper;
 }
 
-/// Times 2.
+/// The centre times 2.
 float centreOf(const TreeItem& item, int axis) { return item.lower[axis] + item.upper[axis]; }
 
 int widestAxis(const Bounds& b) {
@@ -71,12 +72,12 @@ struct Part {
   }
 };
 
-// Many items are looked at in blocks of so many, by all threads.
+// Many items are processed in blocks of this size, by all threads.
 constexpr std::size_t kBlockSize = 8192;
 
 std::size_t blocksOf(std::size_t count) { return (count + kBlockSize - 1) / kBlockSize; }
 
-/// Calls work(block, items) for each of the blocks of the items.
+/// Calls work(block, items) for each block of the items.
 template <class Work>
 void forBlocks(std::span<TreeItem> items, Poll poll, const Work& work) {
   forRanges(blocksOf(items.size()), 1, [&](std::size_t block, std::size_t) {
@@ -100,13 +101,13 @@ Part partOf(std::span<TreeItem> items, Poll poll) {
 }
 
 /// Divides the items of a node among its children by the surface-area heuristic over bins of the centres (Wald 2007,
-/// "On fast construction of SAH-based bounding volume hierarchies"), here with one look at the items for all four
-/// children. One for each thread: it holds working memory.
+/// "On fast construction of SAH-based bounding volume hierarchies"). One pass over the items serves all four children.
+/// Each thread has its own divider, because a divider holds working memory.
 class ItemDivider {
  public:
   explicit ItemDivider(Poll poll) : poll_(poll) {}
 
-  /// Makes up to four parts, of which none is empty.
+  /// Makes up to four parts, none of which is empty.
   std::size_t divide(const Part& whole, int depth, std::array<Part, kWidth>& parts) {
     const std::size_t total = whole.items.size();
     if (total <= kWidth) {
@@ -154,7 +155,8 @@ class ItemDivider {
     std::array<std::size_t, kWidth> sizes{};  ///< in items
   };
 
-  /// Cuts along one axis at up to three borders of bins, into two to four slabs; none where the centres hardly differ.
+  /// Cuts along one axis at up to three borders of bins, into two to four slabs. Makes no slabs where the centres
+  /// hardly differ.
   std::size_t divideIntoSlabs(const Part& whole, std::array<Part, kWidth>& parts) {
     const int axis = widestAxis(whole.centres);
     const float least = whole.centres.lower[axis];
@@ -197,7 +199,7 @@ class ItemDivider {
 
   template <class BinOf>
   static Bins binsOf(std::span<const TreeItem> items, const BinOf& binOf) {
-    // Neighbours tend to fall into one bin: with two sets of bins they need not wait for each other.
+    // Neighbours tend to fall into one bin; two sets of bins let the processor add them without waiting.
     std::array<Bins, 2> bins;
     for (std::size_t i = 0; i < items.size(); ++i) {
       Bin& bin = bins[i & 1][binOf(items[i])];
@@ -215,9 +217,9 @@ class ItemDivider {
     return sum;
   }
 
-  /// The bin between `first` and `last` with which the second half begins; `last` where either half would be empty.
+  /// The bin between `first` and `last` that begins the second half; `last` where either half would be empty.
   static int cheapestBorder(const Bins& bins, int first, int last) {
-    std::array<float, kBins> costs{};  // of what lies at and after the bin
+    std::array<float, kBins> costs{};  // cost of the items in this bin and the later ones
     Bin after;
     for (int bin = last - 1; bin > first; --bin) {
       after.include(bins[bin]);
@@ -238,7 +240,7 @@ class ItemDivider {
     return best;
   }
 
-  /// Moves the items to the order of their slabs.
+  /// Moves the items into the order of their slabs.
   template <class BinOf>
   void moveToSlabs(std::span<TreeItem> items, const Slabs& slabs, const BinOf& binOf) {
     if (!scratch_) scratch_ = std::make_unique_for_overwrite<TreeItem[]>(kBlockSize);
@@ -248,7 +250,7 @@ class ItemDivider {
     std::copy_n(scratch_.get(), items.size(), items.begin());
   }
 
-  /// The same by all threads, when the bins of each block are known.
+  /// Moves the items on all threads, when the bins of each block are known.
   template <class BinOf>
   void moveBlocksToSlabs(std::span<TreeItem> items, const Slabs& slabs, const std::vector<Bins>& blocks,
                          const BinOf& binOf) const {
@@ -269,7 +271,7 @@ class ItemDivider {
     });
   }
 
-  /// How many of the items come first, to fill nodes; they are moved there.
+  /// Moves the items that fill whole nodes to the front, and returns their number.
   static std::size_t split(const Part& part) {
     const int axis = widestAxis(part.centres);
     const std::size_t count = part.items.size();
@@ -302,11 +304,11 @@ class TriangleTreeBuilder {
   }
 
  private:
-  /// Part of the tree that one thread made, or a node and the parts below it that others made.
+  /// Part of the tree that one thread made, or a node and the parts below it that other threads made.
   struct Subtree {
     std::vector<Node> nodes;  ///< children count from the first
     std::unique_ptr<std::array<Subtree, kWidth>> below;
-    std::size_t size = 0;  ///< nodes, those below included
+    std::size_t size = 0;  ///< number of nodes, including those below
   };
 
   static Node nodeOf(std::span<const Part> parts) {
@@ -360,10 +362,10 @@ class TriangleTreeBuilder {
 
   struct Placed {
     Subtree* tree;
-    std::size_t first;  ///< of its nodes, among all
+    std::size_t first;  ///< place of its nodes among all nodes
   };
 
-  /// Each subtree's own nodes, then those of the parts below it.
+  /// Lists each subtree's own nodes, then those of the parts below it.
   static void placeAll(Subtree& tree, std::size_t first, std::vector<Placed>& result) {
     result.push_back({&tree, first});
     if (!tree.below) return;

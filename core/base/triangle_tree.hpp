@@ -1,4 +1,5 @@
-// A bounding-volume tree over boxes: which ones may overlap a query box? Built once for an environment, read by all.
+// A bounding-volume tree that finds the boxes that may overlap a query box. It is built once for an environment and
+// read by all threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Nodes have four children, whose boxes are floats that are compared all at once. Coordinates come into the tree, and
@@ -24,7 +25,7 @@
 
 namespace footfall::detail {
 
-/// A box in the frame of a tree, on its way into a node: two halves of 16 bytes.
+/// A box in the frame of a tree, with its number, before it is stored in a node: two halves of 16 bytes.
 struct alignas(16) TreeItem {
   std::array<float, 3> lower;
   std::int32_t id;
@@ -39,7 +40,8 @@ class TriangleTree {
   /// parallel; the tree depends on nothing but its input. `poll` is called now and then, by any thread, and may throw.
   void build(std::span<const Box> boxes, std::span<const std::int32_t> ids, Poll poll = {});
 
-  /// The same without a list of boxes: `boxOf(i)` is the i-th, called by any thread; all must lie inside `bounds`.
+  /// Builds the tree without a list of boxes: `boxOf(i)` returns the i-th box and may be called by any thread. All
+  /// boxes must lie inside `bounds`.
   template <class BoxOf>
   void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, Poll poll = {}) {
     setFrame(bounds);
@@ -60,7 +62,7 @@ class TriangleTree {
   }
 
   /// Calls visit(id) for every box that overlaps `query`, and perhaps for some that nearly do, in an order that depends
-  /// on the tree alone. visit returns false to stop. `stack` is working memory, to be used again by the next call.
+  /// on the tree alone. visit returns false to stop. `stack` is working memory that the next call can use again.
   template <class Visit>
   void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
     visitNodes(query, stack, [&](const Node& node, const Range&, unsigned leaves) {
@@ -70,8 +72,8 @@ class TriangleTree {
     });
   }
 
-  /// The same, but visit(id, crosses), where `crosses` says that the boxes have more in common in the plan (of the
-  /// first two axes) than their borders. That it is false says nothing, except where isExactOn() the grid of both.
+  /// Calls visit(id, crosses) like visitOverlapping(). `crosses` is true where the plans of the boxes (the first two
+  /// axes) overlap in more than their borders. A false `crosses` is reliable only where isExactOn() the grid of both.
   template <class Visit>
   void visitCrossing(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
     visitNodes(query, stack, [&](const Node& node, const Range& range, unsigned leaves) {
@@ -85,12 +87,12 @@ class TriangleTree {
     });
   }
 
-  /// Whether different coordinates stay different in the tree, when those of its boxes, and of queries, are multiples
-  /// of 2^low below 2^top in size.
+  /// Returns whether different coordinates stay different in the tree, when the coordinates of its boxes and of queries
+  /// are multiples of 2^low below 2^top in size.
   [[nodiscard]] bool isExactOn(int low, int top) const {
-    // All go through one monotone function, so equal ones stay equal. Different ones are 2^low apart, and within the
-    // boxes doubles and floats lie closer than that; the origin need be no such multiple (it may be that of an
-    // environment before edits). A query's beyond the boxes only stay beyond.
+    // One monotone function converts all coordinates, so equal ones stay equal. Different ones are 2^low apart, and
+    // within the boxes doubles and floats lie closer than that; the origin need be no such multiple (it may be that of
+    // an environment before edits). Query coordinates beyond the boxes only stay beyond.
     return top - low <= kDoubleDigits && exponent_ - (low - 1) <= kFloatDigits;
   }
 
@@ -107,12 +109,13 @@ class TriangleTree {
 
   static constexpr int kFloatDigits = 24, kDoubleDigits = 50;
 
-  /// A query in the frame, each bound in all lanes.
+  /// A query in the tree's frame, each bound in all lanes.
   struct Range {
     std::array<Float4, 3> lower, upper;
   };
 
-  /// Calls visit(node, range, leaves) for each node with boxes (one bit for each) that overlap the query.
+  /// Calls visit(node, range, leaves) for each node with boxes that overlap the query; `leaves` has a bit for each of
+  /// them.
   template <class Visit>
   void visitNodes(const Box& query, std::vector<std::int32_t>& stack, const Visit& visit) const {
     if (empty()) return;

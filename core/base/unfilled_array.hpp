@@ -1,4 +1,4 @@
-// An array whose elements come to be when they are first written, so that threads can fill it together.
+// An array whose elements are constructed when they are first written, so that threads can fill it together.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,8 +9,8 @@
 
 namespace footfall::detail {
 
-/// Unlike a vector's, its memory is not written before its elements are: what one thread would clear first, all threads
-/// take into use. Every element must be filled before it is read.
+/// The array does not clear its memory, as a vector would on one thread; the threads that fill it also touch the pages
+/// first. Every element must be filled before it is read.
 template <class T>
 class UnfilledArray {
  public:

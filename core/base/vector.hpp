@@ -1,4 +1,4 @@
-// Vectors of three numbers. Each operation is written once, so that all users round in the same order.
+// Vectors of three numbers. Each operation is written once, so that all callers round in the same order.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,10 +17,10 @@ inline double dot(const Vec3& a, const Vec3& b) { return a.x * b.x + a.y * b.y +
 inline Vec3 cross(const Vec3& a, const Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
-/// The length of a vector; computing it never overflows where the length itself does not.
+/// The length of a vector; the computation overflows only where the length itself does.
 inline double length(const Vec3& a) { return std::hypot(a.x, a.y, a.z); }
 
-/// The normal of a triangle: up where the corners are counter-clockwise from above, twice the area long.
+/// The normal of a triangle, twice the area long. It points up where the corners are counter-clockwise from above.
 inline Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c) { return cross(b - a, c - a); }
 inline double areaOf(const Vec3& a, const Vec3& b, const Vec3& c) { return length(normalOf(a, b, c)) / 2; }
 

@@ -17,9 +17,9 @@ namespace {
 
 using Arena = oneapi::tbb::task_arena;
 
-// Arenas are kept from one use to the next: a new one that begins where another has just ended may get no workers for a
-// long time (TBB 2021.8), and loading, running and running again follow each other at once. Never destroyed, because a
-// run may last longer than static objects.
+// Arenas are kept between uses. With TBB 2021.8, a new arena that begins where another has just ended may get no
+// workers for a long time, and loading and two runs follow each other at once. The arenas are never destroyed, because
+// a run may last longer than static objects.
 class KeptArena {
  public:
   explicit KeptArena(int workers) : workers_(workers) {
@@ -38,7 +38,7 @@ class KeptArena {
     try {
       const std::lock_guard lock(kept.mutex);
       kept.arenas[workers_].push_back(std::move(arena_));
-    } catch (const std::exception&) {  // no memory to keep it
+    } catch (const std::exception&) {  // there is no memory to keep the arena
     }
   }
   KeptArena(const KeptArena&) = delete;
@@ -64,7 +64,8 @@ class KeptArena {
 
 void runOnThreads(int threads, const std::function<void(int)>& work) {
   const int workers = threads > 0 ? threads : machineThreads();
-  // The arena bounds this work, however many others there are; the control lets it have more threads than processors.
+  // The arena bounds the threads of this work, whatever other work runs; the control allows more threads than
+  // processors.
   const ThreadLimit limit(workers);
   KeptArena arena(workers);
   (*arena).execute([&] { work(workers); });

@@ -1,4 +1,4 @@
-// How many threads work on something.
+// Limits on the number of threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace footfall::detail {
 
-/// Calls `work(n)` where parallel loops use at most n threads: `threads`, or as many as the machine has when that is 0.
-/// Where that is more than the machine has, more threads are made. Exceptions pass through. Thread-safe.
+/// Calls `work(n)` where parallel loops use at most n threads: `threads`, or the number of processors when that is 0.
+/// More threads than processors are made where `threads` says so. Exceptions pass through. Thread-safe.
 void runOnThreads(int threads, const std::function<void(int)>& work);
 
-/// The same for work that returns something.
+/// Runs work that returns a value.
 template <class Work>
 auto onThreads(int threads, Work&& work) {
   std::optional<std::invoke_result_t<Work, int>> result;
@@ -21,7 +21,7 @@ auto onThreads(int threads, Work&& work) {
   return std::move(*result);
 }
 
-/// Limits the threads of the whole process while it lives; of several limits the lowest counts.
+/// Limits the threads of the whole process while it lives; the lowest of several limits counts.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
@@ -36,9 +36,9 @@ class ThreadLimit {
 
 /// The threads that the machine runs at a time; at least 1.
 int machineThreads();
-/// The threads that limits leave to the process.
+/// The number of threads that limits leave to the process.
 int allowedThreads();
-/// The threads that parallel loops of the calling thread use at most.
+/// The largest number of threads that parallel loops of the calling thread use.
 int availableThreads();
 /// The calling thread's number among those, from 0 on.
 int threadNumber();
