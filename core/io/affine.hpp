@@ -1,4 +1,4 @@
-// Affine transforms in doubles, as scenes of other formats place their meshes by.
+// Affine transforms in doubles, which place the meshes of scene formats.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,4 @@
-// Bytes as text, for files that hold everything themselves (RFC 4648, with padding).
+// Base64 text (RFC 4648, with padding), for files that embed their buffers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,7 +21,7 @@ inline std::string toBase64(std::string_view bytes) {
   return text;
 }
 
-/// The bytes of such a text; what is none of its digits ends it.
+/// Decodes base64 text up to the first character that is not a base64 digit.
 inline std::string fromBase64(std::string_view text) {
   const auto digitOf = [](char c) {
     if (c >= 'A' && c <= 'Z') return c - 'A';

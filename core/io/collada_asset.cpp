@@ -7,7 +7,7 @@
 namespace footfall::detail {
 namespace {
 
-/// What stands between the first `open` and the `close` after it; empty when there is none.
+/// The text between the first `open` and the `close` after it; empty when there is none.
 std::string_view between(std::string_view text, std::string_view open, std::string_view close) {
   const std::size_t start = text.find(open);
   if (start == std::string_view::npos) return {};

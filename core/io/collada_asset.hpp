@@ -12,7 +12,8 @@ struct ColladaAsset {
   std::optional<double> metresPerUnit;
 };
 
-/// The first <asset> of a Collada document, which is the document's own. Text that is no Collada gives the defaults.
+/// Reads the first <asset> of a Collada document, which is the document's own. Text that is not Collada gives the
+/// defaults.
 ColladaAsset readColladaAsset(std::string_view text);
 
 }  // namespace footfall::detail

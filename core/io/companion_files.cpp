@@ -22,8 +22,8 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kBlock = std::size_t{4} << 20;
 constexpr std::size_t kLeastBlock = std::size_t{1} << 16;
-constexpr std::size_t kLongestName = 4096;  // what Linux takes; also what two blocks share
-constexpr std::size_t kHeader = 65536;      // where PLY files name textures
+constexpr std::size_t kLongestName = 4096;  // the limit of Linux; also the overlap of two blocks
+constexpr std::size_t kHeader = 65536;      // PLY files name textures within these bytes
 constexpr std::array<std::string_view, 16> kPictureEndings = {".png",  ".jpg",  ".jpeg", ".tga",  ".bmp", ".tif",
                                                               ".dds",  ".hdr",  ".exr",  ".gif",  ".psd", ".ktx",
                                                               ".tiff", ".webp", ".ktx2", ".basis"};
@@ -41,13 +41,14 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
-/// Gives `visit` the file piece by piece; each begins with the last bytes of the one before, so that no name is cut.
+/// Calls `visit` with the file piece by piece. Each piece begins with the last bytes of the previous one, so that no
+/// name is cut.
 void readPieces(const std::string& path, std::size_t most, const std::function<void(std::string_view)>& visit) {
   std::error_code error;
   if (!fs::is_regular_file(path, error)) return;
   std::ifstream file(path, std::ios::binary);
   const std::size_t size = fs::file_size(path, error);
-  const std::size_t block = error ? kBlock : std::clamp(size + 1, kLeastBlock, kBlock);  // + 1: to see the end
+  const std::size_t block = error ? kBlock : std::clamp(size + 1, kLeastBlock, kBlock);  // + 1 to notice the end
   std::string piece;
   for (std::size_t done = 0; file && done < most;) {
     const std::size_t kept = std::min(piece.size(), kLongestName);
@@ -62,12 +63,12 @@ void readPieces(const std::string& path, std::size_t most, const std::function<v
   }
 }
 
-/// The files that were found, without their doubles.
+/// The files that were found, without duplicates.
 class Companions {
  public:
   explicit Companions(const std::string& environment) : folder_(fs::path(environment).parent_path()) {}
 
-  /// Returns whether such a file exists: as it is named, or of the same name beside the environment.
+  /// Returns whether such a file exists, either under its name or under its last part beside the environment.
   bool add(std::string_view name) {
     if (name.empty() || name.size() > kLongestName || name.find('\0') != std::string_view::npos) return false;
     if (name.starts_with("file://")) name.remove_prefix(7);
@@ -82,7 +83,7 @@ class Companions {
     }
     return false;
   }
-  /// Names may hold blanks, and others may stand before them: all that begins after one of `breaks` is tried.
+  /// Names may hold blanks, and other text may precede them: everything that begins after one of `breaks` is tried.
   void addEndOf(std::string_view text, std::string_view breaks) {
     for (std::size_t at = 0; at < text.size();) {
       if (add(text.substr(at))) return;
@@ -111,7 +112,7 @@ void scanObj(const std::string& path, Companions& companions) {
   readPieces(path, std::numeric_limits<std::size_t>::max(), [&](std::string_view text) {
     forLinesWith(text, "mtllib", [&](std::string_view names) {
       if (companions.add(names)) return;
-      while (!names.empty()) {  // several
+      while (!names.empty()) {  // several names
         const std::size_t end = std::min(names.find_first_of(kBlank), names.size());
         companions.add(names.substr(0, end));
         names = trimmed(names.substr(end));
@@ -127,7 +128,7 @@ void scanObj(const std::string& path, Companions& companions) {
   }
 }
 
-/// A string of JSON up to its closing quote, with %20 and the like decoded, as names in URIs are.
+/// A JSON string up to its closing quote. %20 and the like are decoded, as in URIs.
 std::string uriAt(std::string_view text) {
   const auto hex = [&](std::size_t at, std::size_t count) {
     unsigned value = 0;
@@ -172,7 +173,7 @@ void scanGltf(const std::string& path, Companions& companions) {
   });
 }
 
-/// Texts that end like pictures, in files of any format.
+/// Searches a file of any format for texts that end like the names of pictures.
 void scanPictures(const std::string& path, std::size_t most, Companions& companions) {
   readPieces(path, most, [&](std::string_view text) {
     for (std::size_t dot = text.find('.'); dot != std::string_view::npos; dot = text.find('.', dot + 1)) {
@@ -207,7 +208,7 @@ std::vector<std::string> companionFiles(const std::string& environment) {
     scanObj(environment, companions);
   } else if (ending == ".gltf" || ending == ".glb") {
     scanGltf(environment, companions);
-  } else if (ending != ".stl" && ending != ".off" && ending != ".ffenv") {  // these name nothing
+  } else if (ending != ".stl" && ending != ".off" && ending != ".ffenv") {  // these formats name no other files
     scanPictures(environment, ending == ".ply" ? kHeader : std::numeric_limits<std::size_t>::max(), companions);
   }
   return {companions.found().begin(), companions.found().end()};

@@ -14,11 +14,12 @@
 namespace footfall::detail {
 namespace {
 
-// Files say where drops are and not on what; that is looked for near by, and what is nearest is taken. All by the
-// largest coordinate.
+// Files contain the lines of drops and not the mesh elements that they belong to. The nearest elements within a small
+// distance are used. All distances are relative to the largest coordinate.
 constexpr double kNear = 0x1p-16;      ///< far more than numbers in files are rounded by
-constexpr double kWrongWay = 0x1p-20;  ///< for so much nearer is a side taken that runs against the starts
-constexpr double kOutwards = 0x1p-16;  ///< by the width of a drop: where one goes on after it
+constexpr double kWrongWay = 0x1p-20;  ///< a side that runs against the starts must be nearer by this
+/// relative to the width of a drop: how far behind the landing the triangle is looked up
+constexpr double kOutwards = 0x1p-16;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double distanceToSegment(const Vec3& a, const Vec3& b, const Vec3& p) {
@@ -50,7 +51,7 @@ class DropPlaces {
     if (!boxes.empty()) tree_.build(boxes, ids);
   }
 
-  /// The side of the border that is nearest to two places together; the first of several.
+  /// The side of the border that is nearest to both places together; the first one of several.
   std::optional<Index> side(const std::array<Vec3, 2>& starts) {
     std::optional<Index> best;
     double least = kInfinity;
@@ -69,7 +70,7 @@ class DropPlaces {
     return best;
   }
 
-  /// The triangle that holds a place best: by height, then by how far it lies outside of it in the plan.
+  /// The triangle that holds a place best: by height, then by its distance in the plan.
   std::optional<std::uint32_t> triangle(const Vec3& place) {
     std::optional<std::uint32_t> best;
     double least = kInfinity;
@@ -124,7 +125,7 @@ void completeDrops(const std::vector<DropLine>& lines, NavigationMesh& mesh) {
     const Vec3 way = drop.start[1] - drop.start[0];
     drop.width = std::hypot(way.x, way.y);
     const auto side = places.side(drop.start);
-    // One lands on the right of the edge, and goes on there.
+    // Agents land on the right of the edge, and the triangle lies beyond it.
     const auto landing = places.triangle(middleOf(drop.landing) + kOutwards * Vec3{way.y, -way.x, 0});
     if (!side || !landing) continue;
     const Triangle& t = mesh.triangles[static_cast<std::size_t>(*side / 3)];

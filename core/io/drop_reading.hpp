@@ -1,4 +1,4 @@
-// Drops of an export: which edges and triangles of the mesh their lines belong to.
+// Finds the edges and triangles of the mesh that the drop lines of an export belong to.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +12,8 @@ namespace footfall::detail {
 /// A drop as a line: where the agent leaves the border, and where it lands.
 using DropLine = std::array<Vec3, 2>;
 
-/// Adds a drop for each two lines, with the edge of the border nearest to its starts, and the triangle nearest to its
-/// landings that lies outwards of them. A line too many, and a mesh without triangles, add none.
+/// Adds a drop for each pair of lines. Its edge is the border edge nearest to the starts; its triangle is the one
+/// nearest to the landings that lies outwards of them. An unpaired line, and a mesh without triangles, add none.
 void completeDrops(const std::vector<DropLine>& lines, NavigationMesh& mesh);
 
 }  // namespace footfall::detail

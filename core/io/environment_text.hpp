@@ -1,4 +1,4 @@
-// An environment as OBJ: the coordinates that runs work on.
+// Writing an environment as OBJ, with the coordinates that runs use.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::detail {
 
-/// The vertices and triangles of an environment, in the frame and units of its file and without its parts. Reading the
-/// text as OBJ with the same up axis gives the same coordinates to the last bit.
+/// Writes the vertices and triangles of an environment, in the frame and units of its file and without its parts.
+/// Reading the text as OBJ with the same up axis gives the same coordinates to the last bit.
 std::string formatEnvironment(const Environment& environment);
 
 }  // namespace footfall::detail

@@ -43,18 +43,18 @@ std::string countsOf(const NavigationMesh& mesh, const ExportOptions& options) {
   return counts;
 }
 
-/// The frame that is written: coordinates times s are in units of 1/s of those before.
+/// The frame of the written file. Coordinates that are multiplied by s have a unit that is 1/s of the former one.
 SourceFrame frameOf(const SourceFrame& source, const ExportOptions& options) {
   return {source.source, options.up.value_or(source.up),
           options.scale == 1 ? source.metresPerUnit : source.metresPerUnit / options.scale, source.storeys};
 }
 
-/// Lines that one task writes, between two polls.
+/// Number of lines that one task writes between two polls.
 constexpr std::size_t kLinesPerTask = 8192;
-/// Tasks whose texts wait for each other.
+/// Number of tasks whose texts are held at a time.
 constexpr std::size_t kTasksAtOnce = 64;
 
-/// Appends what append(text, i) appends for each i below count, in that order; made on all threads.
+/// Calls append(text, i) on all threads for each i below count, and appends the texts in the order of i.
 template <class Append>
 void appendAll(std::string& text, std::size_t count, const Poll& poll, const Append& append) {
   const auto appendRange = [&](std::string& part, std::size_t first, std::size_t last) {
@@ -114,7 +114,7 @@ void appendSteps(std::string& text, const std::vector<StepLink>& links, StepKind
     if (from[1] == to[0])
       appendElement(text, 'f', std::array{from[0], from[1], to[1]});
     else if (to[1] == from[0])
-      // Of a gap, where heights do not tell, the vertex in which both edges end is the second one.
+      // The second vertex of a gap is where both of its edges end, since heights do not show which one it is.
       appendElement(text, 'f',
                     kind == StepKind::Gap ? std::array{to[0], to[1], from[1]} : std::array{from[0], from[1], to[0]});
     else
@@ -122,7 +122,7 @@ void appendSteps(std::string& text, const std::vector<StepLink>& links, StepKind
   }
 }
 
-/// Two lines for each, from where an agent drops to where it lands, over vertices of their own.
+/// Each drop has two lines from the start of the drop to its landing, over vertices of their own.
 std::uint32_t appendDrops(std::string& text, const std::vector<DropLink>& drops, std::uint32_t vertex, UpAxis up,
                           double scale) {
   if (drops.empty()) return vertex;
@@ -141,7 +141,7 @@ std::string groupName(const std::string& name) {
   return word;
 }
 
-/// Behind everything, with vertices of their own.
+/// Extras follow everything else and have vertices of their own.
 void appendExtras(std::string& text, std::span<const ExportExtra> extras, std::uint32_t vertex, UpAxis up,
                   double scale) {
   for (const ExportExtra& extra : extras) {

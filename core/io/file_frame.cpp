@@ -23,11 +23,11 @@ std::string lowerExtension(const std::string& path) {
 
 UsualFrame usualFrame(const std::string& extension) {
   UsualFrame usual;
-  // Game and web formats have Y up, or Assimp turns them so; formats of scanning, printing and building have Z up, as
-  // does 3DS.
+  // Game and web formats have Y up, or Assimp converts them so; formats of scanning, printing and building have Z up,
+  // as does 3DS.
   for (const std::string_view zUp : {"stl", "ply", "3ds", "off", "dxf", "3mf", "amf"})
     if (extension == zUp) usual.up = UpAxis::Z;
-  // Formats for printing count in millimetres; all others have or suggest metres.
+  // Printing formats count in millimetres; all others have or suggest metres.
   if (extension == "3mf" || extension == "amf") usual.metresPerUnit = 0.001;
   if (extension == "fbx") usual.metresPerUnit = 0.01;
   return usual;

@@ -25,7 +25,7 @@ std::string numberText(double value) {
   return text;
 }
 
-/// Puts one environment behind another.
+/// Appends environments to each other.
 class FolderJoiner {
  public:
   FolderJoiner(const std::string& folder, Environment& whole) : folder_(folder), whole_(whole), parts_(whole.parts) {}
@@ -49,7 +49,7 @@ class FolderJoiner {
       if (std::ranges::find(whole_.notes, note) == whole_.notes.end()) whole_.notes.push_back(std::move(note));
   }
 
-  /// A packed environment whose original is in the folder.
+  /// Leaves out a packed environment whose original is in the folder.
   void leaveOut(const std::string& path, const std::string& original) {
     whole_.notes.emplace_back(FOOTFALL_TEXT("%1 was left out: %2, of which it was packed, is in the folder, too"),
                               fs::path(path).filename().string(), original);
@@ -87,7 +87,7 @@ class FolderJoiner {
                 Text(FOOTFALL_TEXT("a unit of it is %1 metres, and one of %2 is %3"), numberText(file.metresPerUnit),
                      first_, numberText(whole_.metresPerUnit)),
                 FOOTFALL_TEXT("give one scale for all of them, or export them in one unit"));
-    // Only packed files bring this along.
+    // Only packed files state whether faces have two sides.
     if (file.bothSides != whole_.bothSides)
       failInput(path, 0,
                 file.bothSides
@@ -154,7 +154,7 @@ Environment readFolder(const std::string& folder, const std::function<Environmen
   for (const std::string& path : files) {
     Environment file = read(path);
     const std::string original = fs::path(file.origin).filename().string();
-    // Another name says that it is something else, though it was packed of a file with that name.
+    // A different name marks it as an environment of its own, though it was packed from a file with that name.
     const bool isNamedAlike = fs::path(original).stem() == fs::path(path).stem();
     if (!original.empty() && isNamedAlike &&
         std::ranges::binary_search(files, (fs::path(path).parent_path() / original).string())) {

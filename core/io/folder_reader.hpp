@@ -1,4 +1,4 @@
-// A folder as one environment: all meshes in it.
+// Reading a folder as one environment that holds all its meshes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,13 @@
 
 namespace footfall::detail {
 
-/// The files of a folder that load() reads, by name; not those of folders in it, nor hidden ones. Empty where `folder`
-/// is none, or cannot be read.
+/// The files of a folder that load() reads, sorted by name. Files in subfolders and hidden files are left out. Empty
+/// where `folder` is not a folder or cannot be read.
 std::vector<std::string> meshesInFolder(const std::string& folder);
 
-/// All files of a folder, each read by `read` (turned to Z up), in one environment. Parts are named FILE, or FILE: MESH
-/// where the file has parts. Up axis and unit are those of the files: Z up where axes differ. Throws InputError when
-/// there are no files, or when a unit of one is not that of the others; and what `read` throws.
+/// Joins all files of a folder, each read by `read` (turned to Z up), in one environment. Parts are named FILE, or
+/// FILE: MESH where the file has parts. Up axis and unit are those of the files; Z is up where axes differ. Throws
+/// InputError when there are no files or when their units differ, and what `read` throws.
 Environment readFolder(const std::string& folder, const std::function<Environment(const std::string& path)>& read);
 
 }  // namespace footfall::detail

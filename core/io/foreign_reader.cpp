@@ -35,8 +35,8 @@ bool isProgramOf(const fs::path& path, std::uint32_t owner) {
          (status.st_uid == 0 || status.st_uid == owner);
 }
 
-/// The library or program that has this code, and the program that runs: what the loader says of a program is the name
-/// that it was started by, which may be none of a file.
+/// The library or program that contains this code, and the running program. The loader reports a program by the name
+/// that it was started by, which may be no file name.
 std::vector<fs::path> ownFiles() {
   std::vector<fs::path> files;
   Dl_info info{};

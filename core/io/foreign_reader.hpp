@@ -1,5 +1,4 @@
-// Reading the formats of others in a process of its own, footfall-import: whatever a damaged file does to their readers
-// ends that process alone.
+// Reading foreign formats in a separate process, footfall-import. A damaged file can only end that process.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,30 +15,30 @@
 
 namespace footfall::detail {
 
-/// Where footfall-import is: what the environment variable FOOTFALL_IMPORT names, else beside the library or program
-/// that has this code, in libexec/footfall next to its folder, or one of two folders up, as in a build. Empty when it
-/// is nowhere, or belongs to somebody else.
+/// The path of footfall-import. It is the value of the environment variable FOOTFALL_IMPORT; else the program is looked
+/// for beside the library or program that contains this code, in libexec/footfall next to its folder, and one or two
+/// folders up, as in a build. Empty when it is not found, or is owned by another user.
 std::optional<std::string> findImportProgram();
 
-/// What reading a file of so many bytes, companions included, may take: a minute and 20 seconds for each MiB; 1 GiB and
-/// 200 bytes for each byte, and no more than four fifths of the machine's memory.
+/// The limits for reading a file of `bytes` bytes, companions included: a minute and 20 seconds for each MiB; 1 GiB and
+/// 200 bytes for each byte, and at most four fifths of the machine's memory.
 ChildLimits importLimits(std::uint64_t bytes);
-/// Those for `path` with the buffers that a glTF file names.
+/// The limits for `path` and the buffers that a glTF file names.
 ChildLimits importLimitsFor(const std::string& path);
 
-/// How a format is called in messages: "glTF", "COLLADA", "IFC".
+/// The name of a format in messages: "glTF", "COLLADA", "IFC".
 std::string formatName(std::string_view extension);
 
 /// Extensions that footfall-import reads, lower case, without the dot.
 const std::vector<std::string>& foreignExtensions();
 
-/// Throws InputError for a reader that was ended by a limit, and what to do then.
+/// Throws the InputError for a reader that passed a limit; the message says what to do.
 void failBeyondLimits(const std::string& path, std::string_view format, ChildEnd end, const ChildLimits& limits);
 
 /// Fills `vertices`, `triangles`, `skipped`, `parts`, `partOf` and `notes` in the file's own frame. Throws InputError,
-/// one line with the file: what the reader says; its death, with the format and the signal; a limit that it passed; a
-/// result that is cut off; no footfall-import. Throws Cancelled within 100 ms when `context` (may be null) was
-/// cancelled.
+/// one line with the file, for an error that the reader reports, a crash (with the format and the signal), a limit that
+/// it passed, truncated output, or a missing footfall-import. Throws Cancelled within 100 ms when `context` (may be
+/// null) was cancelled.
 FileFrame readForeign(const std::string& path, Environment& environment, const ChildLimits& limits,
                       RunContext* context);
 

@@ -66,7 +66,7 @@ Text patternText(const std::string& pattern, const std::vector<Text>& arguments,
   return Text(Pattern{pattern.c_str()}, arguments[I]...);
 }
 
-/// Texts take their arguments one by one.
+/// The constructor of a text needs its arguments as a parameter pack.
 template <std::size_t Count = kMostArguments>
 Text patternText(const std::string& pattern, const std::vector<Text>& arguments) {
   if constexpr (Count == 0) {
@@ -104,7 +104,7 @@ class Reader {
     items.resize(static_cast<std::size_t>(count));
     if (count > 0) std::memcpy(items.data(), bytes.data(), bytes.size());
   }
-  /// Each item takes `least` bytes or more.
+  /// Each item takes at least `least` bytes.
   template <class Read>
   void list(std::size_t least, const Read& read) {
     for (std::uint64_t count = countOf(least); count > 0; --count) read();
@@ -192,7 +192,7 @@ void readFrame(FileFrame& frame, Reader& in) {
     if (up > static_cast<std::uint8_t>(kUpAxes.back())) throw BadStream{};
     frame.up = static_cast<UpAxis>(up);
   }
-  const double metres = in.finite();  // 0: the file says nothing
+  const double metres = in.finite();  // 0: the file does not state it
   if (metres < 0) throw BadStream{};
   if (metres > 0) frame.metresPerUnit = metres;
 }

@@ -1,5 +1,5 @@
-// What footfall-import writes to its standard output and who started it reads: an environment in the file's own frame,
-// or an error. Numbers are as the machine has them; both ends are one build.
+// The stream from footfall-import to its parent process: an environment in the file's own frame, or an error. Numbers
+// are in the machine's format; both ends are from one build.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace footfall::detail {
 
-/// What of an environment a reader fills.
+/// Encodes the members of an environment that a reader fills.
 std::string encodeEnvironment(const Environment& environment, const FileFrame& frame);
 std::string encodeError(const Text& message);
 
-/// A stream that is cut off, or that no reader can have written.
+/// Thrown for a stream that is cut off, or that no reader can have written.
 struct BadStream {};
 
-/// Fills what the reader has filled, or returns its error. Nothing in the stream is believed: counts fit its length,
-/// indices are in range, coordinates finite and names clean. Throws BadStream, and what `environment` holds then means
-/// nothing.
+/// Fills what the reader has filled, or returns its error. The stream is not trusted: counts must fit its length,
+/// indices must be in range, coordinates finite and names clean. Throws BadStream; the content of `environment` is
+/// undefined then.
 std::optional<Text> decodeStream(std::string_view bytes, Environment& environment, FileFrame& frame);
 
 }  // namespace footfall::detail

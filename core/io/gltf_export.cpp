@@ -22,7 +22,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// From the seventh on darker, then lighter.
+// The palette is used darker from the seventh layer on, then lighter.
 Rgb layerColour(std::size_t layer) {
   Rgb colour = kLayerColours[layer % kLayerColours.size()];
   const std::size_t round = layer / kLayerColours.size() % 3;
@@ -36,13 +36,13 @@ constexpr Rgb kGaps = kOrange;
 constexpr Rgb kDrops = kReddishPurple;
 constexpr Rgb kPlaced{150, 150, 150};
 
-/// What glTF means by a colour is linear, what everybody else writes is sRGB.
+/// Converts an sRGB colour to the linear values of glTF.
 float linear(int part) {
   const double x = part / 255.0;
   return static_cast<float>(x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4));
 }
 
-// What the format calls its kinds of numbers, their use and their elements.
+// The numbers of glTF for component types, buffer targets and primitive modes.
 constexpr int kFloat = 5126, kUnsignedInt = 5125;
 constexpr int kVertexBuffer = 34962, kIndexBuffer = 34963;
 constexpr int kLines = 1, kTriangles = 4;
@@ -51,7 +51,7 @@ void appendWord(std::string& bytes, std::uint32_t value) {
   for (unsigned shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(value >> shift & 0xFF);
 }
 
-/// Makes the lists of a glTF and the one buffer of numbers that they refer to. Each mesh has a node and a material of
+/// Builds the lists of a glTF and the one buffer of numbers that they refer to. Each mesh has a node and a material of
 /// its name, all under one root.
 class GltfMaker {
  public:
@@ -90,7 +90,7 @@ class GltfMaker {
     addIndices(indices, used.size());
   }
 
-  /// The file without `asset`; numbers() go with it.
+  /// The file without `asset`; it refers to numbers().
   [[nodiscard]] Json finish() const {
     Json json;
     json["asset"]["version"] = "2.0";
@@ -118,7 +118,7 @@ class GltfMaker {
   [[nodiscard]] double largestError() const { return largestError_; }
 
  private:
-  /// The numbers that came since `start` as an accessor of its own.
+  /// Adds an accessor for the numbers that were appended since `start`.
   void addAccessor(std::size_t start, int kind, int target, std::size_t count, const char* type, Json max, Json min) {
     accessors_.push_back({{"bufferView", views_.size()},
                           {"byteOffset", 0},
@@ -156,12 +156,12 @@ class GltfMaker {
                 Json::array({0}));
   }
 
-  /// In metres, Y up.
+  /// A place in metres, Y up.
   std::array<float, 3> roundedPlace(const Vec3& p) {
     const std::array<double, 3> turned{p.x * scale_, p.z * scale_, -p.y * scale_};
     std::array<float, 3> rounded;
     for (std::size_t k = 0; k < 3; ++k) {
-      rounded[k] = static_cast<float>(turned[k] + 0.0);  // no -0
+      rounded[k] = static_cast<float>(turned[k] + 0.0);  // avoids -0
       if (!std::isfinite(rounded[k]))
         throw InputError(FOOTFALL_TEXT(
             "a coordinate is larger than a float of glTF can be; export as OBJ, or with a smaller scale"));
@@ -172,13 +172,13 @@ class GltfMaker {
 
   void addMaterial(const std::string& name, const Rgb& colour) {
     Json look;
-    if (colour != kConnections)  // white is what the format takes without a word
+    if (colour != kConnections)  // white is the default of the format
       look["baseColorFactor"] = {linear(colour[0]), linear(colour[1]), linear(colour[2]), 1.0};
     look["metallicFactor"] = 0.0;
     materials_.push_back({{"name", name}, {"pbrMetallicRoughness", std::move(look)}, {"doubleSided", true}});
   }
 
-  static constexpr std::size_t kNumbersPerPoll = 6 * 4096;  // of lines and of triangles
+  static constexpr std::size_t kNumbersPerPoll = 6 * 4096;  // per line or triangle
 
   double scale_;
   Poll poll_;
@@ -188,7 +188,7 @@ class GltfMaker {
   std::vector<Json> nodes_;
 };
 
-/// What programs that go on computing would have to find out from the triangles: areas are in square metres.
+/// Figures that other programs would have to compute from the triangles; areas are in square metres.
 Json surfaceExtras(const NavigationMesh& mesh, const std::vector<Triangle>& triangles, double scale) {
   double area = 0;
   for (const Triangle& t : triangles) area += areaOf(mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]);
@@ -197,7 +197,7 @@ Json surfaceExtras(const NavigationMesh& mesh, const std::vector<Triangle>& tria
 
 void addLayers(GltfMaker& maker, const NavigationMesh& mesh, const ExportOptions& options, double scale) {
   if (mesh.layers.empty() || !options.layers || options.navmeshNode) {
-    // Godot makes a navigation region of what is so called.
+    // Godot makes a navigation region of a mesh with this name.
     maker.add(options.navmeshNode ? "walkable-navmesh" : "walkable", layerColour(0), mesh.vertices, mesh.triangles,
               surfaceExtras(mesh, mesh.triangles, scale));
     return;
@@ -211,8 +211,8 @@ void addLayers(GltfMaker& maker, const NavigationMesh& mesh, const ExportOptions
   }
 }
 
-/// Lists with one number for each link of a kind: which layers it joins, and how large it is in metres. `faces` says
-/// how many of the mesh's triangles are its own.
+/// Lists with one number for each link of a kind: its layers and its size in metres. `faces` counts the triangles of
+/// each link.
 Json stepExtras(const NavigationMesh& mesh, StepKind kind, double scale) {
   Json extras{{"faces", Json::array()}, {"heights", Json::array()}};
   if (kind == StepKind::Gap) extras["widths"] = Json::array();
@@ -227,7 +227,7 @@ Json stepExtras(const NavigationMesh& mesh, StepKind kind, double scale) {
   return extras;
 }
 
-/// The same of drops, which are two lines each.
+/// The same lists for drops, which are two lines each.
 Json dropExtras(const NavigationMesh& mesh, double scale) {
   Json extras{{"depths", Json::array()}};
   for (const DropLink& drop : mesh.drops) {
@@ -238,7 +238,8 @@ Json dropExtras(const NavigationMesh& mesh, double scale) {
   return extras;
 }
 
-/// Two for each, or one where both borders end in one vertex; without area where the borders are equally high.
+/// Two triangles for each link, or one where both borders end in one vertex. Links with equally high borders have no
+/// area.
 std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links, StepKind kind) {
   std::vector<Triangle> triangles;
   for (const StepLink& link : links) {
@@ -249,7 +250,7 @@ std::vector<Triangle> stepTriangles(const std::vector<StepLink>& links, StepKind
   return triangles;
 }
 
-/// Lines from where an agent drops to where it lands, two for each.
+/// Adds two lines for each drop, from its start to its landing.
 void addDrops(GltfMaker& maker, const NavigationMesh& mesh, double scale) {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 2>> lines;
@@ -262,8 +263,8 @@ void addDrops(GltfMaker& maker, const NavigationMesh& mesh, double scale) {
   maker.add("drops", kDrops, vertices, lines, dropExtras(mesh, scale));
 }
 
-/// A GLB is a header of 12 bytes, a chunk of JSON and one of numbers; a chunk is its size, its kind and its bytes, in
-/// words of 4 bytes each.
+/// A GLB is a header of 12 bytes, a chunk of JSON and a chunk of numbers. A chunk is its size, its kind and its bytes,
+/// in words of 4 bytes.
 std::string putTogether(Json json, const std::string& numbers, GltfKind kind, Poll poll) {
   poll();
   if (kind == GltfKind::Text) {
@@ -295,7 +296,7 @@ Json extrasOf(const SourceFrame& frame, const ExportHeader& header, double scale
   extras["agent"] = header.agent;
   extras["metres_per_unit_of_source"] = frame.metresPerUnit;
   extras["scale"] = scale;
-  // In metres and degrees; null where nothing was asked for.
+  // Values are in metres and degrees; null where a size was not given.
   const AgentNumbers& agent = header.numbers;
   const double metres = frame.metresPerUnit * scale;
   Json numbers;

@@ -10,13 +10,13 @@
 namespace footfall::detail {
 
 enum class GltfKind {
-  Text,   ///< .gltf: one JSON file, its numbers inside as base64
+  Text,   ///< .gltf: one JSON file with its numbers inside as base64
   Binary  ///< .glb
 };
 
 struct GltfFile {
   std::string bytes;
-  /// The largest distance by which rounding to floats moved a coordinate, in metres.
+  /// The largest distance, in metres, by which rounding to floats moved a coordinate.
   double largestError = 0;
 };
 

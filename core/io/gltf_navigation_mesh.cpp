@@ -58,7 +58,7 @@ GltfParts partsOf(std::string_view text) {
   return parts;
 }
 
-/// One mesh of the file: places, and triangles or lines as a list of their corners.
+/// A mesh of the file: places, and triangles or lines as a list of their corners.
 struct GltfMesh {
   std::string name;
   Json extras;
@@ -82,7 +82,7 @@ class MeshReader {
       const std::vector<std::uint32_t> words = words_(primitive.at("attributes").at("POSITION"), 3);
       for (std::size_t i = 0; i + 2 < words.size(); i += 3) {
         Place place;
-        for (std::size_t k = 0; k < 3; ++k) place[k] = std::bit_cast<float>(words[i + k]) + 0.0F;  // no -0
+        for (std::size_t k = 0; k < 3; ++k) place[k] = std::bit_cast<float>(words[i + k]) + 0.0F;  // avoids -0
         for (const float x : place)
           if (!std::isfinite(x)) throw std::out_of_range("no number");
         read.places.push_back(place);
@@ -159,7 +159,7 @@ class MeshMaker {
     }
   }
 
-  /// Vertices of different layers that a connection has in common.
+  /// Joins the vertices of different layers that a connection shares.
   void joinLayers(const GltfMesh& mesh) {
     for (std::size_t i = 0; i + 1 < mesh.corners.size(); i += 2) {
       if (i % kRangePerPoll == 0) poll_();
@@ -204,7 +204,7 @@ class MeshMaker {
         for (std::uint32_t& v : edge) v = numberOf[v];
   }
 
-  // Both sides of one are listed, each with its own vertices.
+  // Both sides of an obstacle edge are listed, each with its own vertices.
   void addObstacleEdges(const GltfMesh& mesh) {
     std::set<Edge> taken;
     for (std::size_t i = 0; i + 1 < mesh.corners.size(); i += 2) {
@@ -253,8 +253,8 @@ class MeshMaker {
   Poll poll_;
   GltfNavigationMesh result_;
   std::vector<Place> places_;
-  std::vector<std::uint32_t> layerOf_;       ///< of places
-  std::map<Ends, std::vector<Edge>> edges_;  ///< of triangles, in their direction
+  std::vector<std::uint32_t> layerOf_;       ///< by place
+  std::map<Ends, std::vector<Edge>> edges_;  ///< directed edges of triangles
   std::vector<Edge> joined_;
 };
 

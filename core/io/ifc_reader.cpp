@@ -20,7 +20,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::string_view kFirstLine = "# footfall-ifc 1";
-constexpr double kConverterStep = 1e-6;  // metres; the converter rounds to the power of two that is nearest in ratio
+constexpr double kConverterStep = 1e-6;  // in metres; the converter rounds to the power of two that is nearest in ratio
 constexpr const char* kPlace = "footfall/ifc/footfall-ifc.mjs";
 
 std::string_view variable(const char* name) {
@@ -28,7 +28,7 @@ std::string_view variable(const char* name) {
   return value == nullptr ? std::string_view() : value;
 }
 
-/// The next line of a text, which it is taken from.
+/// Removes the next line from a text and returns it.
 std::string_view takeLine(std::string_view& text) {
   const std::size_t end = std::min(text.find('\n'), text.size());
   const std::string_view line = text.substr(0, end);
@@ -36,13 +36,13 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-/// What follows `start`, when the line begins with it.
+/// The rest of a line that begins with `start`.
 std::optional<std::string_view> after(std::string_view line, std::string_view start) {
   if (!line.starts_with(start)) return std::nullopt;
   return line.substr(start.size());
 }
 
-/// The number at the start of a text, which it is taken from.
+/// Removes the number at the start of a text and returns it.
 std::optional<double> takeNumber(std::string_view& text) {
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -72,7 +72,7 @@ std::optional<std::string> findIfcConverter() {
       shared.remove_prefix(std::min(end + 1, shared.size()));
     }
   }
-  // A package has the converter itself, but not what it needs.
+  // Packages contain the converter itself, without the modules that it needs.
   for (const std::filesystem::path& place : places)
     if (::access(place.c_str(), R_OK) == 0 &&
         ::access((place.parent_path() / "node_modules/web-ifc/package.json").c_str(), R_OK) == 0)
@@ -108,7 +108,7 @@ PartRole usualRoleOfClass(std::string_view ifcClass) {
 
 FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
                                const ChildLimits& limits, RunContext* context) {
-  // An absolute path is none of Node's options.
+  // Node does not take an absolute path for an option.
   ChildResult result = runChild({"node", converter, std::filesystem::absolute(path).string()}, Poll(context),
                                 ChildEnding::Killed, kChildGraceMs, limits);
   failBeyondLimits(path, "IFC", result.end, limits);

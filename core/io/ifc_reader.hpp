@@ -1,4 +1,4 @@
-// Reading buildings (IFC) through a converter of its own (installer/ifc).
+// Reading buildings (IFC) through a separate converter (installer/ifc).
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // The converter runs web-ifc in Node.js and writes OBJ with a few comments; installer/ifc.sh installs it. It cuts
@@ -16,20 +16,20 @@
 
 namespace footfall::detail {
 
-/// Where the converter is: the file that the environment variable FOOTFALL_IFC names, else
-/// footfall/ifc/footfall-ifc.mjs in XDG_DATA_HOME (or ~/.local/share) or in one of XDG_DATA_DIRS. Empty when it is
-/// nowhere.
+/// The path of the converter: the file that the environment variable FOOTFALL_IFC names, else
+/// footfall/ifc/footfall-ifc.mjs in XDG_DATA_HOME (or ~/.local/share) or in one of XDG_DATA_DIRS. Empty when it is not
+/// found.
 std::optional<std::string> findIfcConverter();
 
 /// Fills `vertices`, `triangles`, `parts`, `partOf`, `usualRoles` and `storeys` in the file's own frame. A part is an
-/// element's class (`mesh`) with its storey and name (`material`). Throws InputError with what the converter says, and
-/// when it cannot be run or passes `limits`; Cancelled when `context` (may be null) was cancelled, which takes 50 ms at
-/// most.
+/// element's class (`mesh`) with its storey and name (`material`). Throws InputError for an error that the converter
+/// reports, and when it cannot be run or passes `limits`. Throws Cancelled, within 50 ms, when `context` (may be null)
+/// was cancelled.
 FileFrame readWithIfcConverter(const std::string& converter, const std::string& path, Environment& environment,
                                const ChildLimits& limits, RunContext* context);
 
-/// The role of a class of IFC elements: doors are open; what is no thing, such as spaces and annotations, is not there;
-/// nobody walks on furniture, fittings, windows and railings.
+/// The role of a class of IFC elements. Doors are open. Classes without a solid, such as spaces and annotations, are
+/// absent. Furniture, fittings, windows and railings are obstacles that nobody walks on.
 PartRole usualRoleOfClass(std::string_view ifcClass);
 
 }  // namespace footfall::detail

@@ -22,7 +22,7 @@ namespace footfall {
 using namespace detail;
 namespace {
 
-/// As long as the converter is not installed, Assimp does what it can.
+/// Assimp reads IFC as far as it can while the converter is not installed.
 FileFrame readIfc(const std::string& path, Environment& environment, const ChildLimits& limits, RunContext* context) {
   if (const std::optional<std::string> converter = findIfcConverter())
     return readWithIfcConverter(*converter, path, environment, limits, context);
@@ -38,7 +38,7 @@ FileFrame readIfc(const std::string& path, Environment& environment, const Child
   }
 }
 
-/// An environment in memory, in the file's own frame.
+/// Collects an environment in memory, in the file's own frame.
 class EnvironmentSink : public MeshSink {
  public:
   explicit EnvironmentSink(Environment& environment) : environment_(environment) {}
@@ -55,7 +55,8 @@ class EnvironmentSink : public MeshSink {
   Environment& environment_;
 };
 
-/// PLY and STL as most programs write them, with the doubles that they mean; false leaves `environment` as it was.
+/// Reads PLY and STL files as most programs write them, with the exact doubles of the text. Returns false, with
+/// `environment` unchanged, for all other files.
 bool readPlain(const std::string& path, const std::string& extension, Environment& environment, FileFrame& frame,
                RunContext* context) {
   if (extension != "ply" && extension != "stl") return false;
@@ -69,7 +70,7 @@ bool readPlain(const std::string& path, const std::string& extension, Environmen
   return true;
 }
 
-/// The grid that `frame` tells of, unless a packed environment has its own.
+/// Records the grid of `frame`, unless a packed environment has its own.
 void noteGrid(Environment& environment, const FileFrame& frame) {
   if (frame.gridStep == 0) return;
   GridExtent extent;
@@ -79,7 +80,7 @@ void noteGrid(Environment& environment, const FileFrame& frame) {
       static_cast<std::uint32_t>(std::bit_width(static_cast<std::uint64_t>(extent.largest / frame.gridStep)));
 }
 
-/// Puts the whole environment on the grid that the options choose, unless it is on one that is as coarse.
+/// Rounds the whole environment to the grid that the options choose, unless it is already on a grid that is as coarse.
 void chooseGrid(Environment& environment, const ImportOptions& options, bool areFloats, RunContext* context) {
   GridExtent extent;
   for (const Vec3& p : environment.vertices) extent.includeVertex(p);

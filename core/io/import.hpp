@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// load(), to be shared, with all parts of the file: usual roles are not applied (applyPartRules()).
+/// load() with all parts of the file, shared: usual roles are not applied (applyPartRules()).
 std::shared_ptr<const Environment> importEnvironment(const std::string& path, const ImportOptions& options = {},
                                                      RunContext* context = nullptr);
 

@@ -23,7 +23,7 @@ void failInput(const std::string& path, std::size_t line, const Text& what, cons
 }
 
 InputFile::InputFile(const std::string& path) : path_(path) {
-  // Opening a FIFO for reading would wait for a writer for ever.
+  // Opening a FIFO for reading without O_NONBLOCK would wait for a writer for ever.
   descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor_ < 0) {
     const int error = errno;
@@ -66,7 +66,7 @@ std::size_t InputFile::read(std::uint64_t offset, char* bytes, std::size_t size)
     if (count < 0)
       failInput(path_, 0, Text(FOOTFALL_TEXT("cannot be read: %1"), std::strerror(errno)),
                 FOOTFALL_TEXT("check the disk"));
-    if (count == 0) break;  // shortened while we read
+    if (count == 0) break;  // the file was shortened meanwhile
     filled += static_cast<std::size_t>(count);
   }
   return filled;

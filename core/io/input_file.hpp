@@ -1,4 +1,4 @@
-// Reading input files, whole or by the piece, with messages for everything that can be wrong with a path.
+// Reading input files as a whole or in pieces, with a message for every failure of a path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,9 +22,9 @@ class InputFile {
   InputFile(const InputFile&) = delete;
   InputFile& operator=(const InputFile&) = delete;
 
-  /// As it was opened.
+  /// The size of the file when it was opened.
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// Returns how many bytes from `offset` on were read: fewer than `size` only where the file ends.
+  /// Returns the number of bytes read from `offset` on; it is less than `size` only where the file ends.
   std::size_t read(std::uint64_t offset, char* bytes, std::size_t size) const;
 
  private:
@@ -36,8 +36,8 @@ class InputFile {
 /// Throws InputError unless `path` is a readable, non-empty regular file.
 void checkInputFile(const std::string& path);
 
-/// The bytes of a file. Throws InputError as checkInputFile() does and when reading fails; Cancelled when `context`
-/// (may be null) was cancelled.
+/// Returns the bytes of a file. Throws InputError as checkInputFile() does and when reading fails; Cancelled when
+/// `context` (may be null) was cancelled.
 std::string readInputFile(const std::string& path, RunContext* context);
 
 }  // namespace footfall::detail

@@ -21,7 +21,7 @@ namespace {
 constexpr double kLargestCoordinate = 1e100;
 constexpr std::uint64_t kMostLayers = 1'000'000;
 
-/// What the comments of an export say about it (core/io/export.cpp writes them).
+/// The statements in the comments of an export (core/io/export.cpp writes them).
 struct StatedContent {
   bool isExport = false;
   std::optional<UpAxis> up;
@@ -49,7 +49,7 @@ void readFrame(std::string_view line, StatedContent& content) {
     content.metresPerUnit = leadingNumber<double>(line.substr(comma + 2));
 }
 
-/// "N vertices, N triangles, N layers, N connections, N obstacle edges".
+/// Reads "N vertices, N triangles, N layers, N connections, N obstacle edges".
 void readCounts(std::string_view line, StatedContent& content) {
   while (!line.empty()) {
     const std::size_t comma = line.find(", ");
@@ -95,7 +95,7 @@ std::optional<std::uint32_t> layerNumber(std::string_view name) {
   return whole ? std::optional(number) : std::nullopt;
 }
 
-/// Calls take(name, group's range of triangles, group's range of segments); what precedes the first group has no name.
+/// Calls take(name, group's range of triangles, group's range of segments); faces before the first group have no name.
 template <class Take>
 void forGroups(const ObjGroups& all, std::size_t triangles, const Take& take) {
   const auto& groups = all.groups;
@@ -111,7 +111,7 @@ void forGroups(const ObjGroups& all, std::size_t triangles, const Take& take) {
   }
 }
 
-/// Layers only where every face is in a group of a layer; other tools have groups of their own.
+/// Layers are read only where every face is in a group of a layer; other tools have groups of their own.
 void takeGroups(const ObjGroups& all, NavigationMeshFile& file) {
   NavigationMesh& mesh = file.mesh;
   std::vector<std::uint32_t> layers(mesh.triangles.size(), 0);
@@ -136,7 +136,7 @@ void takeGroups(const ObjGroups& all, NavigationMeshFile& file) {
   }
 }
 
-/// The lines of the group of drops of an export.
+/// Returns the lines of an export's group of drops.
 std::vector<DropLine> takeDrops(const ObjGroups& all, const Environment& soup, const StatedContent& stated) {
   std::vector<DropLine> lines;
   if (!stated.isExport || !stated.drops) return lines;
@@ -148,16 +148,18 @@ std::vector<DropLine> takeDrops(const ObjGroups& all, const Environment& soup, c
   return lines;
 }
 
-/// Drops, and obstacles that an export shows beside the walkable area, stand behind it, with vertices of their own.
+/// Removes drops and obstacles that an export shows beside the walkable area; they stand at its end, with vertices of
+/// their own.
 void removeExtras(ObjGroups& groups, Environment& soup, const StatedContent& stated) {
   const auto first = std::find_if(groups.groups.begin(), groups.groups.end(), [](const auto& group) {
     return group.name == "drops" || group.name.starts_with("placed_");
   });
   if (!stated.isExport || !stated.vertices || first == groups.groups.end()) return;
-  if (*stated.vertices > soup.vertices.size()) return;  // cut off: the counts tell
+  if (*stated.vertices > soup.vertices.size()) return;  // the file is cut off; the check of the counts reports it
   const auto isBeyond = [&](std::uint32_t v) { return v >= *stated.vertices; };
   for (std::size_t t = 0; t < first->firstTriangle; ++t)
-    if (std::ranges::any_of(soup.triangles[t], isBeyond)) return;  // changed by hand: the counts tell
+    // the file was changed by hand; the check of the counts reports it
+    if (std::ranges::any_of(soup.triangles[t], isBeyond)) return;
   for (std::size_t i = 0; i < first->firstSegment; ++i)
     if (std::ranges::any_of(groups.segments[i], isBeyond)) return;
   soup.triangles.resize(first->firstTriangle);
@@ -166,12 +168,12 @@ void removeExtras(ObjGroups& groups, Environment& soup, const StatedContent& sta
   groups.groups.erase(first, groups.groups.end());
 }
 
-/// The corners of a face of a group of steps or gaps; the last one is kNone for a triangle.
+/// The corners of a face in a group of steps or gaps; the last one is kNone for a triangle.
 using StepFace = std::array<std::uint32_t, 4>;
 constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-/// Takes the group of steps, or that of gaps, out of the text of an export, as its faces are no area. Corners that are
-/// no numbers, or too large, make no link; the counts tell.
+/// Removes the group of steps, or that of gaps, from the text of an export and returns its faces, which belong to no
+/// area. Corners that are no numbers or too large make no link; the check of the counts reports it.
 std::vector<StepFace> takeSteps(std::string& text, std::string_view name) {
   std::string line = "\ng ";
   line.append(name).append("\n");
@@ -200,7 +202,7 @@ std::vector<StepFace> takeSteps(std::string& text, std::string_view name) {
   return faces;
 }
 
-/// The triangles whose edges they are, how high and how wide they are. Those without are left out.
+/// Adds the triangles of the links' edges, their heights and their widths. Faces without such triangles are left out.
 void completeSteps(const std::vector<StepFace>& faces, StepKind kind, NavigationMesh& mesh) {
   if (faces.empty()) return;
   std::map<std::array<std::uint32_t, 2>, std::uint32_t> triangleAt;
@@ -211,8 +213,8 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
     if (std::max({a, b, c}) >= mesh.vertices.size() || (d != kNone && d >= mesh.vertices.size())) continue;
     StepLink link{{a, b}, {c, d}};
     link.kind = kind;
-    // Both borders end in one vertex. Of a gap that is the second corner, of a step the one at the end where the third
-    // corner does not lie over the first two.
+    // Both borders end in one vertex. It is the second corner of a gap, and that end of a step where the third corner
+    // does not lie above or below the first two.
     if (d == kNone) {
       const Vec3 &first = mesh.vertices[a], &third = mesh.vertices[c];
       const bool isAtSecond = kind == StepKind::Gap || (first.x == third.x && first.y == third.y);
@@ -232,7 +234,7 @@ void completeSteps(const std::vector<StepFace>& faces, StepKind kind, Navigation
   }
 }
 
-/// As both kinds of glTF are, and no OBJ.
+/// Both kinds of glTF begin like this, and no OBJ does.
 bool isGltf(std::string_view content) {
   const std::size_t first = content.find_first_not_of(" \t\r\n");
   const bool isJson = first != std::string_view::npos && content[first] == '{';
@@ -275,7 +277,7 @@ NavigationMeshFile fileOf(GltfNavigationMesh&& gltf, const std::string& path, st
   stated.isExport = true;
   stated.triangles = gltf.mesh.triangles.size();
   stated.steps = gltf.statedSteps;
-  stated.gaps = gltf.statedGaps;  // not drops: floats may put a landing beside its triangle
+  stated.gaps = gltf.statedGaps;  // drops are not compared: floats may put a landing beside its triangle
   NavigationMeshFile file;
   file.path = path;
   file.isExport = true;

@@ -26,7 +26,7 @@ inline constexpr Pattern kCorrectLine = FOOTFALL_TEXT("correct the line or expor
 
 inline constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
-/// Throws InputError for a text with a NUL, whose first line comes after `linesBefore` others.
+/// Throws InputError for a text with a NUL; `linesBefore` lines precede the text in its file.
 inline void rejectBinary(const std::string& path, std::string_view text, std::size_t linesBefore = 0) {
   const std::size_t nul = text.find('\0');
   if (nul == std::string_view::npos) return;
@@ -35,14 +35,14 @@ inline void rejectBinary(const std::string& path, std::string_view text, std::si
             FOOTFALL_TEXT("give the file the extension of its real format, or export it as plain text"));
 }
 
-/// What comes before a stretch.
+/// Counts of the text before a stretch.
 struct ObjBefore {
   std::uint64_t vertices = 0;
   std::size_t lines = 0;
 };
 
-/// A face that is not a triangle; split, or left out, once all vertices are known, because a face may refer to later
-/// ones.
+/// A face that is not a triangle. It is split, or left out, once all vertices are known, because a face may refer to
+/// later vertices.
 struct PendingPolygon {
   std::size_t trianglesBefore;  ///< number of triangular faces before it in the file
   std::size_t firstCorner;
@@ -51,7 +51,7 @@ struct PendingPolygon {
   bool isFreeForm = false;  ///< a curved surface, without corners
 };
 
-/// The largest vertex index that was used before so many vertices were known, and its line.
+/// The largest vertex index that was used before that many vertices were known, and its line.
 struct ObjForwardReference {
   std::uint64_t index = 0;
   std::size_t line = 0;
@@ -66,14 +66,15 @@ inline void checkForwardReference(const std::string& path, const ObjForwardRefer
             kCorrectLine);
 }
 
-/// Thrown where a stretch of the text cannot be read without what comes before it.
+/// Thrown where a stretch of the text cannot be read without the text before it.
 struct NotAlone {};
 
-/// One pass over the text, or over a stretch of whole lines of it. The text ends with a NUL and has no other, so that a
-/// look at the current character is always allowed and never a statement at the end.
+/// One pass over the text, or over a stretch of whole lines of it. The text ends with a NUL and has no other, so that
+/// the current character can always be read and is never a statement at the end.
 class ObjParser {
  public:
-  /// A stretch by itself cannot be read where it needs what comes before it; an ordered one is told.
+  /// A Stretch is read by itself and throws NotAlone where it needs the text before it; an Ordered stretch gets those
+  /// counts as ObjBefore.
   enum class Extent { Whole, Stretch, Ordered };
 
   ObjParser(const std::string& path, std::string_view text, Extent extent, Environment& environment,
@@ -89,7 +90,7 @@ class ObjParser {
         groups_(groups),
         line_(before.lines + 1) {}
 
-  /// The whole text.
+  /// Parses the whole text.
   void parse() {
     parseStatements();
     checkForwardReference(path_, {largestForward_, largestForwardLine_}, environment_.vertices.size());
@@ -110,18 +111,18 @@ class ObjParser {
     }
   }
 
-  /// The largest vertex index that was used before so many vertices were known, or 0; and its line.
+  /// The largest vertex index that was used before that many vertices were known, or 0; and its line.
   [[nodiscard]] std::uint64_t largestForward() const { return largestForward_; }
   [[nodiscard]] std::size_t largestForwardLine() const { return largestForwardLine_; }
   [[nodiscard]] bool hasPolygons() const { return !polygons_.empty(); }
-  /// What names the parts; triangles are counted right after splitPolygons().
+  /// The statements that name parts; triangles are counted right after splitPolygons().
   [[nodiscard]] const ObjPartChanges& parts() const { return parts_; }
 
-  /// Lines of this text, and of what comes before it, once it has been read, when it ends with a line end.
+  /// The number of lines up to the end of this text, once it has been read, when it ends with a line end.
   [[nodiscard]] std::size_t lineCount() const { return line_ - 1; }
 
-  /// Puts the triangles of the polygons between those of the triangular faces, in the order of the file. `Vertices` is
-  /// whatever triangulatePolygon() and skippedPolygon() take.
+  /// Inserts the triangles of the polygons between those of the triangular faces, in the order of the file. `Vertices`
+  /// is any type that triangulatePolygon() and skippedPolygon() accept.
   template <class Vertices>
   void splitPolygons(const Vertices& vertices) {
     if (polygons_.empty()) return;
@@ -185,7 +186,7 @@ class ObjParser {
   [[nodiscard]] bool atLineEnd() const { return *cursor_ == '\n' || *cursor_ == '\0'; }
   [[nodiscard]] bool atEndOfValues() const { return atLineEnd() || *cursor_ == '#'; }
 
-  /// Length of "backslash, line end" here, or 0.
+  /// Length of a "backslash, line end" at the cursor, or 0.
   [[nodiscard]] std::ptrdiff_t continuation() const {
     if (*cursor_ != '\\') return 0;
     const std::ptrdiff_t length = cursor_[1] == '\n' ? 2 : cursor_[1] == '\r' && cursor_[2] == '\n' ? 3 : 0;
@@ -234,7 +235,7 @@ class ObjParser {
     return "'" + shown + (stop - start > kShown ? "...'" : "'");
   }
 
-  /// To be called where a statement lacks something.
+  /// Called where a statement lacks something.
   void rejectTruncation() const {
     if (*cursor_ == '\0')
       fail(FOOTFALL_TEXT("the file ends inside this line"), FOOTFALL_TEXT("it is truncated: copy or export it again"));
@@ -292,7 +293,7 @@ class ObjParser {
     return value;
   }
 
-  /// from_chars does not tell too small (a fine zero) from too large.
+  /// from_chars reports numbers that are too small (these become zero) and too large by one error.
   static double outOfRange(const char* start, const char* stop) {
     std::istringstream stream(std::string(start, stop));
     stream.imbue(std::locale::classic());
@@ -324,7 +325,7 @@ class ObjParser {
     skipPhysicalLine();
   }
 
-  /// Whether the three corners of the face are three vertices.
+  /// Returns whether the three corners of the face are three vertices.
   [[nodiscard]] bool isTriangle() const {
     const std::uint32_t a = corners_[faceStart_], b = corners_[faceStart_ + 1], c = corners_[faceStart_ + 2];
     return a != b && b != c && c != a;
@@ -339,7 +340,7 @@ class ObjParser {
     for (; isDigit(*cursor_); ++cursor_) {
       if (value < std::uint64_t{1} << 40) value = value * 10 + static_cast<std::uint64_t>(*cursor_ - '0');
     }
-    // texture coordinate and normal indices are not used, but garbage in their place is a broken file
+    // Texture coordinate and normal indices are not used, but other characters in their place mean a broken file.
     while (*cursor_ == '/' || *cursor_ == '-' || isDigit(*cursor_)) ++cursor_;
     if (!isBlank(*cursor_) && !atLineEnd() && continuation() == 0)
       fail(Text(FOOTFALL_TEXT("%1 is not a face corner"), word(start)));
@@ -410,7 +411,7 @@ class ObjParser {
     polygonsBefore_.push_back(polygons_.size());
   }
 
-  /// The name goes to the end of the line, or to a comment behind a blank.
+  /// The name extends to the end of the line, or to a comment behind a blank.
   void partName(ObjPartChanges::Kind kind) {
     skipBlanks();
     const char* stop = cursor_;
@@ -420,7 +421,7 @@ class ObjParser {
                polygons_.size());
   }
 
-  /// The groups counted triangular faces only: `added[i]` triangles came of the first i polygons.
+  /// The groups counted triangular faces only; the first i polygons have added `added[i]` triangles.
   void moveGroups(const std::vector<std::size_t>& added) {
     if (groups_ == nullptr) return;
     for (std::size_t i = 0; i < groups_->groups.size(); ++i)
@@ -436,7 +437,7 @@ class ObjParser {
   Environment& environment_;
   RunContext* context_;
   ObjGroups* groups_;
-  std::vector<std::size_t> polygonsBefore_;  ///< for each group
+  std::vector<std::size_t> polygonsBefore_;  ///< by group
   ObjPartChanges parts_;
   std::size_t line_;
   std::vector<std::uint32_t> corners_;  ///< corners of all pending polygons, then of the face being read

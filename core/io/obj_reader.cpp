@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::size_t kStretchBytes = 1 << 17;
 
-/// Whole lines each, the last one to the end of the text.
+/// Cuts a text into stretches of whole lines; the last one extends to the end of the text.
 std::vector<std::string_view> cutIntoStretches(std::string_view text) {
   std::vector<std::string_view> stretches;
   while (text.size() > kStretchBytes) {
@@ -38,8 +38,8 @@ struct Stretch {
   ObjParser parser;
 };
 
-/// Reads stretches of the text on all threads. False, with nothing read, where that cannot be done or the text has an
-/// error: one pass over the whole text then reads it, or tells the first error and its line.
+/// Reads stretches of the text on all threads. Returns false, with nothing read, where that is impossible or the text
+/// has an error. One pass over the whole text then reads it, or reports the first error and its line.
 bool readInStretches(const std::string& path, std::string_view text, Environment& environment, RunContext* context) {
   std::vector<std::unique_ptr<Stretch>> stretches;
   for (const std::string_view lines : cutIntoStretches(text))

@@ -13,11 +13,11 @@
 
 namespace footfall::detail {
 
-/// The groups of an OBJ file (`g`), in its order, with what lies in them.
+/// The groups of an OBJ file (`g`), in its order, with their content.
 struct ObjGroups {
   struct Group {
-    std::string name;           ///< the words after `g`, as they stand; empty before the first `g`
-    std::size_t firstTriangle;  ///< of Environment::triangles; the last is before the next group's first
+    std::string name;           ///< the words after `g`, unchanged; empty before the first `g`
+    std::size_t firstTriangle;  ///< in Environment::triangles; the last one precedes the next group's first
     std::size_t firstSegment;   ///< the same for `segments`
   };
   std::vector<Group> groups;

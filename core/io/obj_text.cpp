@@ -10,8 +10,8 @@
 namespace footfall::detail {
 namespace {
 
-/// One comment line for each line of `content`. A text of the user must neither end the comment early nor, by a
-/// backslash at its end, pull the next line into it.
+/// Appends one comment line for each line of `content`. A text of the user must neither end the comment early nor, by a
+/// backslash at its end, join the next line to it.
 void appendComment(std::string& text, std::string_view label, std::string_view content) {
   while (!content.empty()) {
     const std::size_t stop = content.find('\n');
@@ -28,9 +28,9 @@ void appendComment(std::string& text, std::string_view label, std::string_view c
 void appendHeader(std::string& text, std::string_view title, const SourceFrame& frame, const ExportHeader& header,
                   std::string_view content) {
   appendComment(text, "", std::string(title) + " by Footfall " FOOTFALL_VERSION);
-  // The name alone: the same file gives the same bytes wherever it lies.
+  // Only the name is written, so that the same file gives the same bytes in every folder.
   std::filesystem::path source = frame.source;
-  if (!source.has_filename()) source = source.parent_path();  // a folder
+  if (!source.has_filename()) source = source.parent_path();  // the source is a folder
   std::string name = source.filename().string();
   std::replace(name.begin(), name.end(), '\n', ' ');
   appendComment(text, "source: ", name);

@@ -1,4 +1,4 @@
-// The parts of which OBJ exports are made.
+// The parts of OBJ exports.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,15 +11,15 @@
 
 namespace footfall::detail {
 
-/// The comments at the top: what the file holds ("Walkable area"), of which file, how it was made, and what it
-/// counts.
+/// Appends the comments at the top: the content ("Walkable area"), the source file, how the result was computed, and
+/// its counts.
 void appendHeader(std::string& text, std::string_view title, const SourceFrame& frame, const ExportHeader& header,
                   std::string_view content);
 
-/// A vertex in the frame of a file.
+/// Appends a vertex in the frame of a file.
 void appendVertex(std::string& text, const Vec3& p, UpAxis up);
 
-/// A statement with vertex indices; OBJ counts from 1.
+/// Appends a statement with vertex indices; OBJ counts from 1.
 template <std::size_t Count>
 void appendElement(std::string& text, char statement, const std::array<std::uint32_t, Count>& indices) {
   text += statement;

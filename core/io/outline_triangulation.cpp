@@ -18,13 +18,13 @@
 namespace footfall::detail {
 namespace {
 
-/// What the outline does around a face of the triangulation.
+/// How the outline winds around a face of the triangulation.
 struct FaceWinding {
-  std::array<int, 3> across{};  ///< change of the winding number on the way in over edge i
-  std::optional<int> number;    ///< how often the outline goes around the face; empty: not known yet
+  std::array<int, 3> across{};  ///< change of the winding number on entering the face over edge i
+  std::optional<int> number;    ///< winding number of the face; empty: not known yet
 };
 
-// The kernel constructs nothing here: there are no intersections, and circles are only compared with points.
+// The kernel constructs no points here: there are no intersections, and circles are only compared with points.
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<std::size_t, Kernel>;
 using FaceBase =
@@ -36,7 +36,7 @@ using Triangulation =
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
-/// Bits of a number that look random, the same everywhere (Steele, Lea and Flood 2014).
+/// Bits of a number that look random and are the same on every machine (Steele, Lea and Flood 2014).
 std::uint64_t scrambled(std::uint64_t x) {
   x += 0x9E3779B97F4A7C15U;
   x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9U;
@@ -44,7 +44,7 @@ std::uint64_t scrambled(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Corners, one for each place: a biased randomized insertion order, whose rounds double in size and run along a curve.
+/// One corner for each place, in a biased randomized insertion order: rounds double in size and run along a curve.
 std::vector<std::size_t> insertionOrder(std::span<const Vec3> corners, std::span<const std::size_t> places) {
   Vec3 low = corners[places[0]], high = low;
   for (const std::size_t i : places) {
@@ -55,7 +55,7 @@ std::vector<std::size_t> insertionOrder(std::span<const Vec3> corners, std::span
   const auto cell = [width](double v, double least) {
     return width > 0 ? static_cast<std::uint32_t>(std::clamp((v / 2 - least / 2) / width * 65535, 0.0, 65535.0)) : 0U;
   };
-  // Half of all go to the last round, a quarter to the one before it, and so on.
+  // Half of all corners go to the last round, a quarter to the round before it, and so on.
   std::vector<std::tuple<int, std::uint64_t, std::size_t>> order;
   order.reserve(places.size());
   for (std::size_t k = 0; k < places.size(); ++k) {
@@ -88,7 +88,7 @@ class OutlineTriangulation {
   }
 
  private:
-  /// False where corners lie above each other.
+  /// Returns false where corners lie above each other.
   bool insertCorners() {
     const auto before = [this](std::size_t i, std::size_t j) {
       return std::tie(corners_[i].x, corners_[i].y) < std::tie(corners_[j].x, corners_[j].y);
@@ -113,7 +113,7 @@ class OutlineTriangulation {
     return true;
   }
 
-  /// The ends of the edge behind corner i; first the one at which fewer edges meet, because searches begin there.
+  /// The ends of the edge behind corner i. The end at which fewer edges meet comes first, because searches begin there.
   [[nodiscard]] std::array<Vertex, 2> endsOf(std::size_t i) const {
     const Vertex a = vertexAt_[i], b = vertexAt_[i + 1 == corners_.size() ? 0 : i + 1];
     return uses_[a->info()] <= uses_[b->info()] ? std::array{a, b} : std::array{b, a};
@@ -130,14 +130,14 @@ class OutlineTriangulation {
     }
   }
 
-  /// The edge behind corner i may have been split where it runs through other corners.
+  /// Counts the winding along the edge behind corner i, which may have been split where it runs through other corners.
   void countWinding(std::size_t i) {
     auto [from, to] = endsOf(i);
     const int direction = from == vertexAt_[i] ? 1 : -1;
     while (from != to) {
       poll_();
       Vertex next;
-      Face face;  // on one side of the edge, which is its edge k
+      Face face;  // lies on one side of the edge, which is its edge k
       int k = 0;
       triangulation_.includes_edge(from, to, next, face, k);
       const bool isLeft = face->vertex(Triangulation::ccw(k)) == from;
@@ -148,8 +148,8 @@ class OutlineTriangulation {
     }
   }
 
-  /// Numbers the faces from the outside inwards. False where the outline goes around a place more than once, or around
-  /// one this way and around another that way.
+  /// Numbers the faces from the outside inwards. Returns false where the outline winds around a place more than once,
+  /// or in opposite directions around two places.
   bool coversOnce() {
     int once = 0;
     std::vector<Face> open{triangulation_.infinite_face()};
@@ -189,7 +189,7 @@ class OutlineTriangulation {
   Poll poll_;
   Triangulation triangulation_;
   std::vector<Vertex> vertexAt_;
-  std::vector<std::size_t> uses_;  ///< how many corners lie at a place, by its first corner
+  std::vector<std::size_t> uses_;  ///< number of corners at a place, by its first corner
 };
 
 }  // namespace

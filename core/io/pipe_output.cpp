@@ -27,7 +27,7 @@ class File {
   File(const File&) = delete;
   File& operator=(const File&) = delete;
   [[nodiscard]] int number() const { return number_; }
-  /// Devices may say only here that something was lost.
+  /// Some devices report lost data only here.
   int close() {
     const int number = number_;
     number_ = -1;
@@ -38,8 +38,8 @@ class File {
   int number_;
 };
 
-/// While it lives, a pipe without a reader sends no signal to this thread: the write fails, whatever the program does
-/// with signals.
+/// While this object lives, a pipe without a reader sends no signal to this thread. The write fails instead, however
+/// the program handles signals.
 class NoPipeSignal {
  public:
   NoPipeSignal() {
@@ -74,7 +74,7 @@ void waitFor(int descriptor, short event) {
   ::poll(&waiting, 1, kPollMs);
 }
 
-/// The descriptor, or -1 with `errno`. A FIFO has an end to write to only while somebody reads.
+/// Returns the descriptor, or -1 with `errno`. A FIFO can be opened for writing only while it has a reader.
 int openToWrite(const std::string& path, const Poll& poll) {
   while (true) {
     poll();
@@ -108,8 +108,8 @@ int readFromPipe(const std::string& path, std::size_t most, std::string& text, c
   poll();
   const File file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY));
   if (file.number() < 0) return errno;
-  // Without a writer a FIFO is at its end at once. Where none has come yet, nothing is to be seen of one: neither bytes
-  // nor a hang-up, which poll() reports when the last writer has left.
+  // A FIFO without a writer is at its end at once. Before the first writer comes, poll() reports neither bytes nor a
+  // hang-up; it reports a hang-up when the last writer has left.
   bool hasBegun = !isFifo(path);
   std::array<char, kPiece> piece;
   while (text.size() <= most) {

@@ -1,4 +1,4 @@
-// Writing to what is no file: pipes, terminals, devices.
+// Writing to pipes, terminals and devices.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace footfall::detail {
 
-/// Opens `path` and writes all of it. Nothing waits without calling `poll` at least every 20 ms: a FIFO for its reader,
-/// a full pipe for room. A reader that goes away is an error and no signal. Returns the error number, or 0; throws what
-/// `poll` throws.
+/// Opens `path` and writes all of the text. Every wait calls `poll` at least every 20 ms: the wait for a FIFO's reader,
+/// and for room in a full pipe. A closed pipe is an error and sends no signal. Returns the error number, or 0; throws
+/// what `poll` throws.
 int writeToPipe(const std::string& path, std::string_view text, const Poll& poll);
 
-/// Reads all of a FIFO or device up to its end, as writeToPipe() waits: a writer may come late and pause. `most`: where
-/// it has more bytes than that, reading ends behind them. Returns the error number, or 0.
+/// Reads all of a FIFO or device up to its end. It waits as writeToPipe() does: a writer may come late and pause.
+/// Reading ends behind `most` bytes where there are more. Returns the error number, or 0.
 int readFromPipe(const std::string& path, std::size_t most, std::string& text, const Poll& poll);
 
 }  // namespace footfall::detail

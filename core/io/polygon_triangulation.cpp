@@ -40,7 +40,7 @@ Vec3 newellNormal(const Corners& corners, const std::vector<Vec3>& vertices) {
   return normal;
 }
 
-/// The polygon in the coordinate plane that shows it largest. All further decisions are exact in that plane.
+/// The polygon in the coordinate plane of its largest projection. All further decisions are exact in that plane.
 class ProjectedPolygon {
  public:
   ProjectedPolygon(const Corners& corners, const std::vector<Vec3>& vertices) {
@@ -63,7 +63,7 @@ class ProjectedPolygon {
 
   [[nodiscard]] std::size_t size() const { return points_.size(); }
   [[nodiscard]] bool hasArea() const { return orientation_ != 0; }
-  /// In the plane, and with the third coordinate as height above it.
+  /// The corners in the plane, with the third coordinate as height above it.
   [[nodiscard]] const std::vector<Vec3>& points() const { return points_; }
 
   /// +1 when the corners a, b, c turn the same way as the polygon, 0 when they are collinear.
@@ -122,7 +122,7 @@ std::vector<LocalTriangle> clipEars(const ProjectedPolygon& polygon) {
   ears.reserve(count - 2);
   std::size_t corner = 0, remaining = count, rejected = 0;
   while (remaining > 3) {
-    if (rejected == remaining) return {};  // went round once without finding an ear
+    if (rejected == remaining) return {};  // all corners were tried without finding an ear
     const std::size_t a = previous[corner], c = next[corner];
     const bool isEar = polygon.turn(a, corner, c) > 0 && std::none_of(reflex.begin(), reflex.end(), [&](auto p) {
                          return p != a && p != corner && p != c && polygon.blocks(p, a, corner, c);
@@ -138,7 +138,7 @@ std::vector<LocalTriangle> clipEars(const ProjectedPolygon& polygon) {
     --remaining;
     rejected = 0;
     std::erase_if(reflex, [&](auto p) { return (p == a || p == c) && polygon.turn(previous[p], p, next[p]) > 0; });
-    corner = next[c];  // skipping one corner gives fewer thin triangles than going on from the same one
+    corner = next[c];  // skipping one corner gives fewer thin triangles than continuing at the same one
   }
   const LocalTriangle last{previous[corner], corner, next[corner]};
   if (polygon.turn(last[0], last[1], last[2]) <= 0) return {};

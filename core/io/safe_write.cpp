@@ -26,11 +26,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMostLinks = 40;  // as Linux follows them
+constexpr int kMostLinks = 40;  // the limit of Linux
 
 fs::path folderOf(const fs::path& target) { return target.has_parent_path() ? target.parent_path() : fs::path("."); }
 
-/// The first part of a path that is there and is no folder.
+/// The first part of a path that exists and is not a folder.
 std::string fileWithin(const fs::path& folder) {
   fs::path part;
   std::error_code ignored;
@@ -46,7 +46,7 @@ struct Problem {
   Text todo = FOOTFALL_TEXT("choose another place");
 };
 
-/// For errors that depend on what lies at the target and around it.
+/// The problem behind an error that depends on the target and its folder.
 Problem problemOfPlace(const fs::path& target, int error) {
   const fs::path folder = folderOf(target);
   std::error_code ignored;
@@ -105,7 +105,7 @@ Problem problemOf(const fs::path& target, int error) {
   }
 }
 
-/// `target`: what the path leads to.
+/// `target` is the file that the path leads to.
 [[noreturn]] void failWriting(const std::string& path, const fs::path& target, int error) {
   const Problem problem = problemOf(target, error);
   throw RunError(Pattern{"%1: %2; %3"}, path, problem.what, problem.todo);
@@ -124,7 +124,8 @@ void writeAll(const std::string& path, int descriptor, std::string_view text, co
   }
 }
 
-/// Creates a new file of a name that nobody has; its folder is the target's, since only there a rename is atomic.
+/// Creates a new file with an unused name in the folder of the target, because a rename is atomic only within a file
+/// system.
 class TemporaryFile {
  public:
   TemporaryFile(const std::string& shownPath, const fs::path& target) : shownPath_(shownPath), target_(target) {
@@ -132,7 +133,7 @@ class TemporaryFile {
     static std::atomic<unsigned> counter{0};
     removeStaleFiles(folder.string());
     do {
-      // short, so that it fits wherever the target's name fits
+      // The name is short, so that it fits wherever the target's name fits.
       name_ = folder / temporaryName(counter++);
       descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     } while (descriptor_ < 0 && errno == EEXIST);
@@ -145,7 +146,7 @@ class TemporaryFile {
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
-  /// All of it, down to the disk.
+  /// Writes all of the text and flushes it to the disk.
   void write(std::string_view text, const Poll& poll) {
     writeAll(shownPath_, descriptor_, text, poll);
     close();
@@ -176,14 +177,14 @@ class TemporaryFile {
 int openNameless(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDWR | O_TMPFILE | O_CLOEXEC, 0600);
   if (descriptor >= 0 || (errno != EOPNOTSUPP && errno != EISDIR && errno != EINVAL)) return descriptor;
-  // Not all file systems have them.
+  // Some file systems have no nameless files.
   std::string name = (folder / ".footfall-XXXXXX").string();
   const int named = ::mkostemp(name.data(), O_CLOEXEC);
   if (named >= 0) ::unlink(name.c_str());
   return named;
 }
 
-/// The position in the file stays.
+/// Writes at an offset; the position in the file does not change.
 void writeAllAt(const std::string& path, int descriptor, std::uint64_t offset, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t count = ::pwrite(descriptor, bytes.data(), bytes.size(), static_cast<off_t>(offset));
@@ -194,29 +195,29 @@ void writeAllAt(const std::string& path, int descriptor, std::uint64_t offset, s
   }
 }
 
-/// A terminal, a pipe or a device cannot be replaced by a file.
+/// Writes to a terminal, a pipe or a device, which a file cannot replace.
 void writeInPlace(const std::string& path, std::string_view text, const Poll& poll) {
   if (const int error = writeToPipe(path, text, poll); error != 0) failWriting(path, error);
 }
 
 struct Target {
-  fs::path path;  ///< what links lead to
+  fs::path path;  ///< target of all links
   bool exists = false;
   mode_t mode = 0;
 };
 
-/// Throws RunError when it is known beforehand that nothing can be written there.
+/// Throws RunError when it is known beforehand that writing will fail.
 Target findTarget(const std::string& path) {
   if (path.empty()) throw RunError(FOOTFALL_TEXT("no file name to write to; give one"));
   if (path.back() == '/') failWriting(path, EISDIR);
-  // A link stays a link: what it points to is replaced.
+  // A link stays a link: the file that it points to is replaced.
   Target target{path};
   std::error_code ignored;
   for (int links = 0; fs::is_symlink(target.path, ignored); ++links) {
     if (links == kMostLinks) failWriting(path, ELOOP);
     const fs::path next = fs::read_symlink(target.path, ignored);
     if (ignored) failWriting(path, target.path, ignored.value());
-    target.path = target.path.parent_path() / next;  // an absolute one replaces the folder
+    target.path = target.path.parent_path() / next;  // an absolute path replaces the folder
   }
   struct stat status {};
   target.exists = ::stat(target.path.c_str(), &status) == 0;
@@ -229,7 +230,7 @@ Target findTarget(const std::string& path) {
   return target;
 }
 
-/// Makes the rename last over a power failure. Not all file systems can; the file is whole in any case.
+/// Makes the rename survive a power failure. Some file systems cannot; the file is complete in any case.
 void syncFolder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -263,7 +264,7 @@ std::vector<std::string> existingOutputs(const std::string& path) {
   for (fs::directory_iterator at(folderOf(target), ignored), end; !ignored && at != end; at.increment(ignored))
     if (isPage(at->path().filename().string()))
       found.push_back((target.parent_path() / at->path().filename()).string());
-  // plan-2 before plan-10.
+  // plan-2 precedes plan-10.
   std::sort(
       found.begin() + static_cast<std::ptrdiff_t>(single), found.end(),
       [](const std::string& a, const std::string& b) { return a.size() != b.size() ? a.size() < b.size() : a < b; });
@@ -274,7 +275,7 @@ void writeFilesSafely(std::span<const OutputFile> files, Poll poll) {
   struct Output {
     const OutputFile& file;
     Target target;
-    std::unique_ptr<TemporaryFile> temporary = nullptr;  ///< none where the target cannot be replaced
+    std::unique_ptr<TemporaryFile> temporary = nullptr;  ///< null where the target cannot be replaced
   };
   std::vector<Output> outputs;
   outputs.reserve(files.size());
@@ -287,7 +288,7 @@ void writeFilesSafely(std::span<const OutputFile> files, Poll poll) {
     output.temporary->write(output.file.bytes, poll);
   }
   poll();
-  // Nothing stands between two renames, so that hardly ever a kill does.
+  // The renames follow each other directly, so that a kill hardly ever separates them.
   std::set<fs::path> folders;
   for (Output& output : outputs) {
     if (!output.temporary) continue;

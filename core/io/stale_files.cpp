@@ -30,8 +30,8 @@ std::string hexOf(Number number) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number, 16).ptr};
 }
 
-/// The machine and its present start: process numbers mean nothing on another one. Containers that share the kernel
-/// have namespaces of their own for them.
+/// A mark of the machine and its present start, because process numbers mean nothing on another machine. Containers
+/// that share the kernel have process namespaces of their own.
 std::string hostMark() {
   std::uint64_t mark = 1469598103934665603U;
   const auto add = [&mark](std::string_view text) {
@@ -51,11 +51,11 @@ const std::string& host() {
   return kHost;
 }
 
-/// When a process began, in ticks since the machine's start; empty where there is none.
+/// The start time of a process, in ticks since the machine's start; empty where there is no such process.
 std::string startOf(long process) {
   std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   const std::string text(std::istreambuf_iterator<char>(file), {});
-  const std::size_t name = text.rfind(')');  // which may hold anything before that
+  const std::size_t name = text.rfind(')');  // the name before it may contain anything
   if (name == std::string::npos) return {};
   constexpr int kFieldsBehind = 20;
   std::istringstream fields(text.substr(name + 1));
@@ -64,7 +64,7 @@ std::string startOf(long process) {
   return fields ? field : std::string();
 }
 
-/// "HOST-PROCESS-START-NUMBER".
+/// The name contains "HOST-PROCESS-START-NUMBER".
 bool isStale(std::string_view name) {
   if (!name.starts_with(kPrefix) || !name.ends_with(kSuffix)) return false;
   std::istringstream rest(std::string(name.substr(kPrefix.size(), name.size() - kPrefix.size() - kSuffix.size())));
@@ -85,7 +85,7 @@ bool isStale(std::string_view name) {
 std::string temporaryName(unsigned number) {
   const long process = ::getpid();
   const std::string start = startOf(process);
-  // Where /proc is not there, nobody can find out who has died.
+  // Without /proc it cannot be found out which processes have ended.
   const std::string place =
       start.empty() ? std::to_string(process) : host() + '-' + std::to_string(process) + '-' + start;
   return std::string(kPrefix) + place + '-' + std::to_string(number) + std::string(kSuffix);

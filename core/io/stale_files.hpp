@@ -1,4 +1,4 @@
-// Names of files that are only there while they are written, and what is left of them by processes that were killed.
+// Names of temporary files, and the removal of files that killed processes have left.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,12 +6,12 @@
 
 namespace footfall::detail {
 
-/// A name for a new file of this process, beside its target: ".footfall-HOST-PROCESS-START-NUMBER.tmp". The host keeps
-/// those of other machines apart, which share a folder, and the start those of a process that had the number before.
+/// A name for a new file of this process, beside its target: ".footfall-HOST-PROCESS-START-NUMBER.tmp". The host
+/// distinguishes machines that share a folder, and the start distinguishes processes that had the same number.
 std::string temporaryName(unsigned number);
 
-/// Removes the temporary files in `folder` whose processes were on this machine and are gone, once for each folder and
-/// process. What cannot be removed stays.
+/// Removes temporary files in `folder` whose processes ran on this machine and have ended, once for each folder and
+/// process. Files that cannot be removed stay.
 void removeStaleFiles(const std::string& folder);
 
 }  // namespace footfall::detail

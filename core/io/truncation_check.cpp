@@ -27,13 +27,13 @@ std::string_view takeLine(std::string_view& text) {
   return line;
 }
 
-/// Without what Assimp 5.2.5 takes for an end of line and nobody else does; it reads far beyond some of them.
+/// Rejects control characters that only Assimp 5.2.5 takes for line ends; it reads far beyond some of them.
 bool isText(std::string_view line) {
   return std::all_of(line.begin(), line.end(),
                      [](char c) { return static_cast<unsigned char>(c) >= ' ' || c == '\t'; });
 }
 
-/// Whatever the case of the text: Assimp does not mind it either.
+/// Ignores the case of the text, as Assimp does.
 bool startsWith(std::string_view text, std::string_view lower) {
   return text.size() >= lower.size() && std::equal(lower.begin(), lower.end(), text.begin(), [](char l, char c) {
            return l == (c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
@@ -57,7 +57,7 @@ std::uint64_t toCount(std::string_view word) {
   return read.ec == std::errc::result_out_of_range ? std::numeric_limits<std::uint64_t>::max() : count;
 }
 
-/// 0 for what is no type of PLY.
+/// The size of a PLY type; 0 for an unknown type.
 std::uint64_t plyTypeSize(std::string_view type) {
   const auto isOneOf = [&](std::initializer_list<std::string_view> names) {
     return std::find(names.begin(), names.end(), type) != names.end();
@@ -69,16 +69,16 @@ std::uint64_t plyTypeSize(std::string_view type) {
 }
 
 struct PlyProperty {
-  std::uint64_t size = 0;      ///< in a binary file; of a list its count's
+  std::uint64_t size = 0;      ///< bytes in a binary file; of a list's count for a list
   std::uint64_t itemSize = 0;  ///< 0: no list
-  bool isSigned = false;       ///< of a list: its count's type
+  bool isSigned = false;       ///< whether a list's count has a signed type
 };
 
 struct PlyElement {
   std::string_view name;
   std::uint64_t count = 0;
-  std::uint64_t leastBytes = 0;  ///< of one element in a binary file
-  std::size_t leastWords = 0;    ///< of one element in an ASCII file
+  std::uint64_t leastBytes = 0;  ///< bytes of one element in a binary file
+  std::size_t leastWords = 0;    ///< words of one element in an ASCII file
   bool firstIsList = false;
   bool hasLists = false;
   std::vector<PlyProperty> properties;
@@ -97,9 +97,9 @@ bool isAssimpElement(std::string_view name) {
   return name == "vertex" || name == "face" || name == "tristrips" || name == "edge" || name == "material";
 }
 
-/// One line of the header; false when it is none, or one that Assimp 5.2.5 understands in another way: a second format,
-/// elements twice (memory is lost then), or whose name it takes for their number, "comment vertex 9" (an element), an
-/// empty line or obj_info among the elements (the end of their properties).
+/// Reads one line of the header. Returns false for a line that is invalid, or that Assimp 5.2.5 reads in another way: a
+/// second format; an element twice (which leaks memory); an element whose name is read as its number; "comment vertex
+/// 9" (read as an element); an empty line or obj_info among the elements (read as the end of their properties).
 bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& header) {
   if (line.empty()) return header.elements.empty();
   const std::string_view keyword = line[0];
@@ -137,7 +137,7 @@ bool takePlyHeaderLine(const std::vector<std::string_view>& line, PlyHeader& hea
   return size > 0 && !isFraction && (!list || plyTypeSize(line[3]) > 0);
 }
 
-/// Leaves `text` behind the header.
+/// Removes the header from `text`.
 PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
   PlyHeader header;
   takeLine(text);  // "ply"
@@ -146,7 +146,7 @@ PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
     const std::string_view whole = takeLine(text);
     const std::vector<std::string_view> line = words(whole);
     if (isText(whole) && takePlyHeaderLine(line, header)) continue;
-    if (text.empty()) break;  // cut inside the line
+    if (text.empty()) break;  // the line is cut off
     failInput(path, 0,
               Text(FOOTFALL_TEXT("line %1 of the PLY header, '%2 ...', is not understood"), header.lines,
                    line.empty() ? "" : line[0].substr(0, 24)),
@@ -167,8 +167,8 @@ std::size_t takeDigits(std::string_view& word) {
   return count;
 }
 
-/// Whether Assimp reads the whole word as one number: behind a sign inside, or behind more digits than an integer
-/// holds, it begins another, which may then be taken for a list's length.
+/// Returns whether Assimp reads the whole word as one number. It begins another number behind a sign inside the word,
+/// or behind more digits than an integer holds, and may take that number for a list's length.
 bool isOneNumber(std::string_view word) {
   constexpr std::size_t kMostDigits = 18;
   const auto skip = [&](std::string_view characters) {
@@ -186,7 +186,7 @@ bool isOneNumber(std::string_view word) {
   return takeDigits(word) > 0 && word.empty();
 }
 
-/// A line of an element that has lists: Assimp believes their lengths.
+/// Checks a line of an element that has lists, because Assimp trusts their lengths.
 void checkListLine(const std::string& path, std::size_t number, const PlyElement& element, std::string_view line) {
   const std::vector<std::string_view> all = words(line);
   for (const std::string_view word : all) {
@@ -208,7 +208,7 @@ void checkListLine(const std::string& path, std::size_t number, const PlyElement
   }
 }
 
-/// Each element has a line of its own; the last line may itself be cut.
+/// Each element has a line of its own; the last line may be cut off.
 void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string_view text) {
   std::size_t number = header.lines;
   for (const PlyElement& element : header.elements) {
@@ -234,7 +234,7 @@ void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string
   }
 }
 
-/// The number of entries of a list, taken from the front of `text`.
+/// Removes the number of entries of a list from the front of `text` and returns it.
 std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bool bigEndian, std::string_view& text) {
   std::uint64_t count = 0;
   for (std::uint64_t i = 0; i < list.size; ++i) {
@@ -248,7 +248,7 @@ std::uint64_t takeListCount(const std::string& path, const PlyProperty& list, bo
 
 void checkBinaryPly(const std::string& path, const PlyHeader& header, std::string_view text) {
   for (const PlyElement& element : header.elements) {
-    // Assimp makes room for elements without properties, too
+    // Assimp also allocates elements without properties.
     if (element.count > text.size() / std::max<std::uint64_t>(element.leastBytes, 1)) failShortPly(path);
     if (!element.hasLists) {
       text.remove_prefix(element.count * element.leastBytes);
@@ -274,7 +274,7 @@ void checkBinaryPly(const std::string& path, const PlyHeader& header, std::strin
 void rejectTruncatedPly(const std::string& path, std::string_view text) {
   const auto isSpace = [](char c) { return static_cast<unsigned char>(c) <= ' '; };
   const auto start = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), isSpace) - text.begin());
-  if (!startsWith(text.substr(start), "ply")) return;  // Assimp says that it is no PLY
+  if (!startsWith(text.substr(start), "ply")) return;  // Assimp reports that this is not a PLY file
   if (start > 0) {
     failInput(path, 0, FOOTFALL_TEXT("there is something before the word 'ply' with which a PLY file must begin"),
               kExportAgain);
@@ -292,7 +292,7 @@ void rejectTruncatedPly(const std::string& path, std::string_view text) {
 void rejectTruncatedStl(const std::string& path, std::string_view text) {
   constexpr std::size_t kBinaryHeader = 84, kBinaryFacet = 50;
   if (!startsWith(text, "solid")) return;
-  if (text.size() >= kBinaryHeader) {  // some binary files begin with "solid" too
+  if (text.size() >= kBinaryHeader) {  // some binary files also begin with "solid"
     std::uint32_t facets = 0;
     std::memcpy(&facets, text.data() + kBinaryHeader - sizeof facets, sizeof facets);
     if (text.size() == kBinaryHeader + kBinaryFacet * std::uint64_t{facets}) return;
@@ -306,7 +306,7 @@ void rejectTruncatedStl(const std::string& path, std::string_view text) {
 void rejectTruncatedGlb(const std::string& path) {
   constexpr std::uint32_t kMagic = 0x46546C67;
   const InputFile file(path);
-  std::array<std::uint32_t, 5> start{};  // magic, version, length of the file; of the chunk, its kind
+  std::array<std::uint32_t, 5> start{};  // magic, version, length of the file; length of the chunk, its kind
   if (file.read(0, reinterpret_cast<char*>(start.data()), sizeof start) != sizeof start || start[0] != kMagic) return;
   if (start[3] > file.size() - sizeof start)
     failInput(path, 0, FOOTFALL_TEXT("the binary glTF ends before its first chunk does"), kTruncated);

@@ -1,5 +1,5 @@
-// Recognising cut-off PLY, STL and binary glTF files, which Assimp 5.2 accepts in part, or never returns from, or for
-// which it takes as much memory as they say.
+// Detects truncated PLY, STL and binary glTF files. Assimp 5.2 accepts some of them in part, never returns from others,
+// and allocates as much memory as a file's header demands.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,9 +8,9 @@
 
 namespace footfall::detail {
 
-/// Throws InputError when `text` is a PLY file with a header that is not as it should be (Assimp 5.2 writes where it
-/// must not after some of those), without the end of its header or with fewer elements than its header says. In a
-/// binary file with lists only the elements before the first list and the least size of the rest count.
+/// Throws InputError for a PLY file whose header is invalid (Assimp 5.2 writes out of bounds after some of those) or
+/// cut off, or that has fewer elements than its header declares. In a binary file with lists, only the elements before
+/// the first list and the least size of the rest are counted.
 void rejectTruncatedPly(const std::string& path, std::string_view text);
 
 /// Throws InputError when `text` is an ASCII STL file whose last facet or solid has no end.

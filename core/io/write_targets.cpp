@@ -39,7 +39,7 @@ bool sameFile(const std::string& a, const std::string& b) {
   std::error_code error;
   if (a == b || fs::equivalent(a, b, error)) return true;
   if (exists(a) || exists(b)) return false;
-  // Two files to be: the same name in the same folder.
+  // Both are files to be written: they are the same when their names and folders are.
   const fs::path first = fs::weakly_canonical(fs::absolute(a, error), error);
   const fs::path second = fs::weakly_canonical(fs::absolute(b, error), error);
   return first == second ||

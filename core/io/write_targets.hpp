@@ -1,4 +1,4 @@
-// The rule for every file that is to be written: nothing that was read is replaced, and no file is written twice.
+// The rule for every file that is written: no input file is replaced, and no file is written twice.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,30 +9,31 @@
 
 namespace footfall::detail {
 
-/// Whether two names lead to one file, through whatever links, folders and spellings; neither needs to exist yet. False
-/// when one is empty.
+/// Returns whether two names lead to one file, through any links, folders and spellings; neither needs to exist yet.
+/// False when one is empty.
 bool sameFile(const std::string& a, const std::string& b);
 
-/// The files that an environment's file names and that exist: material libraries and their textures (OBJ), buffers and
-/// images (glTF), textures (other formats, by their usual endings); of a folder all meshes in it and what they name.
-/// Reads the files; empty when they cannot be read.
+/// The existing files that an environment's file names: material libraries and their textures (OBJ), buffers and images
+/// (glTF), textures (other formats, by their usual endings). A folder's companions are all meshes in it and the files
+/// that they name. Reads the files; empty when they cannot be read.
 std::vector<std::string> companionFiles(const std::string& environment);
 
-/// One command, or one window: what it reads and what it is going to write.
+/// The input and output files of one command or one window.
 class WriteTargets {
  public:
-  /// `what` is said in messages: FOOTFALL_TEXT("the environment").
+  /// `what` names the file in messages: FOOTFALL_TEXT("the environment").
   void protect(const std::string& path, const Text& what);
-  /// The environment with what its file names. That is only read once a target exists that could be one of it.
+  /// Protects the environment and the files that it names. These names are read only once a target exists that could be
+  /// one of the files.
   void protectEnvironment(const std::string& path);
-  /// The same where companionFiles() are known already.
+  /// Protects an environment whose companionFiles() are known already.
   void protectEnvironment(const std::string& path, const std::vector<std::string>& companions);
 
-  /// Throws InputError when `target` is one of the protected files, whatever name leads to it, or would be a mesh in an
-  /// environment that is a folder. An empty name is none.
+  /// Throws InputError when `target` is one of the protected files, by whatever name, or would be a mesh in an
+  /// environment that is a folder. An empty name is not checked.
   void check(const std::string& target) const;
-  /// check() and checkWritable(), and throws InputError too when an earlier target of add() is the same file. `what` is
-  /// what will be in it.
+  /// Calls check() and checkWritable(), and also throws InputError when an earlier target of add() is the same file.
+  /// `what` names the content of the file in messages.
   void add(const std::string& target, const Text& what);
 
  private:
@@ -44,9 +45,9 @@ class WriteTargets {
   std::vector<std::string> unread_;  ///< environments whose companions are not known
 };
 
-/// Refuses names of files that hold or belong to an environment of another format, so that a slip of the hand cannot
-/// replace one. `option` is what is written, for the message; `allowed` is the ending with its dot, and no ending is
-/// fine as well. Throws InputError.
+/// Throws InputError for names of files that hold or belong to an environment of another format, so that a slip of the
+/// hand cannot replace one. `option` names the written file in the message; `allowed` is the ending with its dot. A
+/// name without an ending is accepted as well.
 void checkEnding(const std::string& target, const std::string& option, const std::string& allowed);
 
 }  // namespace footfall::detail
