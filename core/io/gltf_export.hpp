@@ -20,18 +20,18 @@ struct GltfFile {
   double largestError = 0;
 };
 
-/// A mesh and a node for each layer ("layer_0", ...; "walkable" without layers) with the colours of the editor, seen
-/// from both sides; connections and obstacle edges as line primitives ("connections", "obstacle_edges"); extras as
-/// "placed_NAME". `asset.extras` says what the comments of an OBJ say, and the agent's numbers; extras of nodes have
-/// layer and area of surfaces, layers and heights of steps, gaps and drops. With ExportOptions::navmeshNode all layers
-/// are one mesh.
+/// Writes a mesh and a node for each layer ("layer_0", ...; "walkable" without layers) with the colours of the editor,
+/// seen from both sides; connections and obstacle edges as line primitives ("connections", "obstacle_edges"); extras as
+/// "placed_NAME". `asset.extras` has the content of an OBJ's comments and the agent's numbers. Extras of nodes have the
+/// layer and area of surfaces, and the layers and heights of steps, gaps and drops. With ExportOptions::navmeshNode all
+/// layers are one mesh.
 ///
-/// Coordinates are as the format demands: Y up, metres (the scale of the mesh's file is applied, then that of
-/// `options`), and floats, which have 24 bits: at 1 km from the origin they are 0.06 mm apart, at 500 km (map
-/// coordinates) 3 cm. Nothing is moved to the origin to hide that, as the result would no longer lie on its source:
-/// `largestError` says how far. Triangles that become degenerate by it stay in the file. Vertices are shared by index
-/// within a layer exactly where an agent can cross; between layers, which are meshes of their own, the connections say
-/// it. For programs that go on computing, OBJ has it all, in doubles.
+/// Coordinates follow the format: Y up, metres (the scale of the mesh's file is applied, then that of `options`), and
+/// floats, which have 24 bits. At 1 km from the origin, neighbouring floats are 0.06 mm apart, at 500 km (map
+/// coordinates) 3 cm. The mesh is not moved to the origin to hide this, because the result would no longer lie on its
+/// source; `largestError` has the largest shift. Triangles that rounding makes degenerate stay in the file. Vertices
+/// are shared by index within a layer exactly where an agent can cross. Layers are meshes of their own, and the
+/// connections show where agents cross between them. OBJ has all of this in doubles, for programs that compute further.
 ///
 /// Throws InputError (checkScale(); coordinates that no float holds), RunError for a .glb of more than 4 GB, and what
 /// `poll` throws.

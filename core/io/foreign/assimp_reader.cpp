@@ -117,7 +117,7 @@ class SceneReader {
   RunContext* context_;
   PartList parts_;
   std::vector<std::uint32_t> corners_;
-  std::size_t work_ = 0;  ///< since the last look at the context
+  std::size_t work_ = 0;  ///< since the last call of the context
 };
 
 UpAxis axisOf(char letter, bool downwards) {
@@ -126,7 +126,7 @@ UpAxis axisOf(char letter, bool downwards) {
   return upAxisFrom(whole.substr(downwards ? 0 : 1)).value_or(UpAxis::Y);
 }
 
-/// FBX says which axis is up (0, 1, 2), along it or against it, and how many centimetres a unit has.
+/// FBX states which axis is up (0, 1, 2), its direction, and how many centimetres a unit has.
 FileFrame fbxFrame(const aiMetadata* metadata) {
   FileFrame frame;
   if (metadata == nullptr) return frame;
@@ -136,7 +136,7 @@ FileFrame fbxFrame(const aiMetadata* metadata) {
   double centimetres = 0;
   float narrow = 0;
   if (!metadata->Get("UnitScaleFactor", centimetres) && metadata->Get("UnitScaleFactor", narrow)) {
-    // the double that the file's text meant: 2.54, not the float next to it
+    // Converts to the double that the file's text meant: 2.54, not the nearest float.
     char text[32];
     std::from_chars(text, std::to_chars(text, text + sizeof text, narrow).ptr, centimetres);
   }
@@ -144,8 +144,8 @@ FileFrame fbxFrame(const aiMetadata* metadata) {
   return frame;
 }
 
-/// Assimp multiplies the root's transform of a Collada scene with the unit, to make metres of it, but coordinates shall
-/// stay in the file's unit. Assimp's unit may be another float than the nearest one.
+/// Assimp multiplies the root's transform of a Collada scene by the unit to make metres, but coordinates must stay in
+/// the file's unit. Assimp's unit may differ from the nearest float.
 Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
   const double unit = asset.metresPerUnit.value_or(1);
   Affine undone = toAffine(root);
@@ -158,7 +158,7 @@ Affine colladaRoot(const aiMatrix4x4& root, const ColladaAsset& asset) {
   return difference < 1e-6 ? kIdentity : undone;
 }
 
-/// Other files that a file names: a FIFO or a device among them is none.
+/// Opens the files that a file names, and rejects FIFOs and devices among them.
 class RegularFiles : public Assimp::DefaultIOSystem {
  public:
   bool Exists(const char* name) const override {
@@ -171,11 +171,11 @@ class RegularFiles : public Assimp::DefaultIOSystem {
   }
 
  private:
-  /// Without the blanks that may stand before the first number of an element: Assimp 5.2.5 takes that for none.
+  /// Removes blanks before the first number of an element, because Assimp 5.2.5 does not read that number otherwise.
   static Assimp::IOStream* openCollada(const char* name) {
     std::string text = readInputFile(name, nullptr);
     std::size_t kept = 0;
-    bool isFirst = false;  // nothing but blanks since the last '>'
+    bool isFirst = false;  // only blanks since the last '>'
     for (std::size_t i = 0; i < text.size(); ++i) {
       const bool isBlank = kBlanks.find(text[i]) != std::string_view::npos;
       if (isFirst && isBlank) {
@@ -208,17 +208,17 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](unsigned char c) { return std::tolower(c); });
 
-  // Assimp goes by the content where the name says something else.
+  // Assimp uses the content where the name suggests another format.
   const std::string start = lowerStart(path);
   if (extension == ".ply" || start.starts_with("ply")) rejectTruncatedPly(path, readInputFile(path, context));
   if (extension == ".stl" || start.starts_with("solid")) rejectTruncatedStl(path, readInputFile(path, context));
   if (start.starts_with("gltf")) rejectTruncatedGlb(path);
 
   Assimp::Importer importer;
-  importer.SetIOHandler(new RegularFiles);  // which takes it over
-  // A skeleton alone is no environment: without this Assimp makes up a mesh for it.
+  importer.SetIOHandler(new RegularFiles);  // the importer owns it
+  // Assimp makes up a mesh for a skeleton without this setting, but a skeleton alone is not an environment.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
-  // We turn axes ourselves, so that the export can turn them back.
+  // Axes are turned by our own code, so that the export can turn them back.
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, extension == ".dae");
 
   const aiScene* scene = nullptr;
@@ -232,7 +232,7 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
     problem = error.what();
   }
   if (context != nullptr) context->checkCancelled();
-  if (problem.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // Assimp puts it into words
+  if (problem.find("bad_alloc") != std::string::npos) throw std::bad_alloc();  // Assimp reports it as text
   if (scene == nullptr || scene->mRootNode == nullptr) {
     const Text reason = problem.empty() ? Text(FOOTFALL_TEXT("unknown content")) : Text(problem);
     failInput(path, 0, Text(FOOTFALL_TEXT("cannot be read (%1)"), reason),

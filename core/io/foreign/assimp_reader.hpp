@@ -11,16 +11,16 @@
 
 namespace footfall::detail {
 
-/// Fills `vertices`, `triangles`, `skipped`, `parts` and `partOf` in the file's own frame (no axis is turned, no unit
-/// applied) with the meshes of all nodes. Assimp stores floats; node transforms are multiplied and applied in double,
-/// and a mirroring one reverses the winding, as glTF 2.0 (3.7.4) asks. Vertices are not merged; polygons are split by
-/// triangulatePolygon().
+/// Fills `vertices`, `triangles`, `skipped`, `parts` and `partOf` with the meshes of all nodes, in the file's own frame
+/// (no axis is turned, no unit applied). Assimp stores floats; node transforms are multiplied and applied in double. A
+/// mirroring transform reverses the winding, as glTF 2.0 (3.7.4) requires. Vertices are not merged; polygons are split
+/// by triangulatePolygon().
 ///
-/// Throws InputError, one line with what Assimp says, for a file that it cannot read, for coordinates that are NaN or
+/// Throws InputError, one line with Assimp's message, for a file that it cannot read, for coordinates that are NaN or
 /// infinite and indices out of range; Cancelled when `context` (may be null) was cancelled.
 FileFrame readWithAssimp(const std::string& path, Environment& environment, RunContext* context);
 
-/// Extensions that this Assimp reads, lower case, without the dot.
+/// Extensions that this build of Assimp reads, lower case, without the dot.
 std::vector<std::string> assimpExtensions();
 
 }  // namespace footfall::detail

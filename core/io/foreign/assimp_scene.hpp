@@ -1,4 +1,4 @@
-// What all readers of Assimp's scenes need: transforms in doubles, the walk over the nodes, and names of parts.
+// Shared by all readers of Assimp's scenes: transforms in doubles, the walk over the nodes, and names of parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ inline Affine toAffine(const aiMatrix4x4& m) {
 
 inline Vec3 operator*(const Affine& m, const aiVector3D& p) { return m * Vec3{p.x, p.y, p.z}; }
 
-/// Calls visit(node, number of a mesh, transform to the world) for all meshes of all nodes, depth first, with a stack
-/// of our own: a file may nest its nodes deeper than the call stack is.
+/// Calls visit(node, number of a mesh, transform to the world) for all meshes of all nodes, depth first. The stack is
+/// on the heap, because a file may nest its nodes deeper than the call stack.
 template <class Visit>
 void visitMeshes(const aiScene& scene, const Affine& rootTransform, const Visit& visit) {
   std::vector<std::pair<const aiNode*, Affine>> stack{{scene.mRootNode, rootTransform}};
@@ -38,8 +38,8 @@ void visitMeshes(const aiScene& scene, const Affine& rootTransform, const Visit&
   }
 }
 
-/// The part of a mesh, named by the node, which is what users see as an object in their editors, else by the mesh. What
-/// Assimp makes up where a file has no names is none.
+/// The part of a mesh. It has the node's name, which users see as an object in their editors, else the mesh's name.
+/// Names that Assimp makes up are ignored.
 inline std::uint32_t partOfMesh(const aiScene& scene, const aiNode& node, const aiMesh& mesh, PartList& parts) {
   const auto given = [](const aiString& name) {
     const std::string_view text(name.C_Str());

@@ -11,7 +11,7 @@ FileFrame readForeignFile(const std::string& path, Environment& environment) {
   if (isGltf2(path)) {
     try {
       return readGltf(path, environment);
-    } catch (const OldGltf&) {  // Assimp reads it
+    } catch (const OldGltf&) {  // Assimp reads glTF 1
     }
   }
   return readWithAssimp(path, environment, nullptr);

@@ -1,4 +1,4 @@
-// What footfall-import does: any file of a foreign format into an environment.
+// Reads any file of a foreign format in footfall-import.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// As readForeign(), in this process.
+/// Reads a file as readForeign() does, in this process.
 FileFrame readForeignFile(const std::string& path, Environment& environment);
 
 }  // namespace footfall::detail

@@ -28,7 +28,7 @@ std::uint32_t wordAt(std::string_view bytes, std::size_t at) {
   return word;
 }
 
-/// A URI with %20 and the like decoded.
+/// A URI with its %20 and the like decoded.
 std::string decodedUri(std::string_view uri) {
   std::string name;
   const auto digit = [](char c) {
@@ -213,7 +213,7 @@ GltfNumbers GltfBuffers::numbers(std::uint64_t number) {
     forElements(bytes, gltfNumber(accessor, "byteOffset", 0),
                 gltfNumber(gltfItem(json_, "bufferViews", from), "byteStride", 0), layout, put);
   } else {
-    result.values.resize(layout.count * layout.width);  // zeros, of which some may be replaced
+    result.values.resize(layout.count * layout.width);  // zeros, some of which a sparse accessor may replace
   }
   const auto sparse = accessor.find("sparse");
   if (sparse == accessor.end()) return result;

@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// The elements of an accessor, `width` numbers each.
+/// The elements of an accessor, each of `width` numbers.
 struct GltfNumbers {
   std::size_t width = 0;
   std::vector<double> values;
@@ -21,10 +21,10 @@ struct GltfNumbers {
   [[nodiscard]] double at(std::size_t element, std::size_t number) const { return values[element * width + number]; }
 };
 
-/// A file of glTF 1, which is another format.
+/// Thrown for a file of glTF 1, which is another format.
 struct OldGltf {};
 
-/// A file with all its buffers. Its functions throw BadGltf for what is not in order, and InputError for a buffer that
+/// A file with all its buffers. Its functions throw BadGltf for invalid content, and InputError for a buffer that
 /// cannot be read or is no regular file.
 class GltfBuffers {
  public:
@@ -35,7 +35,7 @@ class GltfBuffers {
 
   /// An accessor's numbers as doubles; normalized integers are divided.
   GltfNumbers numbers(std::uint64_t accessor);
-  /// An accessor of whole numbers.
+  /// The numbers of an accessor of integers.
   std::vector<std::uint32_t> indices(std::uint64_t accessor);
   /// The bytes of a buffer view, unpacked.
   std::string_view view(std::uint64_t number);

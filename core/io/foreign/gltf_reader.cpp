@@ -27,12 +27,12 @@ using Json = nlohmann::json;
 
 constexpr std::uint64_t kTriangles = 4, kStrip = 5, kFan = 6;
 
-/// What of a primitive does not depend on where it stands.
+/// The part of a primitive that does not depend on its node.
 struct Shape {
   std::vector<Vec3> places;
   std::vector<Triangle> triangles;
   std::uint64_t lines = 0, points = 0;
-  /// Four joints and their weights for each vertex and each set, where there is a skin.
+  /// Four joints and their weights for each vertex and each set; empty without a skin.
   std::vector<GltfNumbers> joints, weights;
 };
 
@@ -43,7 +43,7 @@ Affine matrixAt(const GltfNumbers& numbers, std::size_t element) {
   return m;
 }
 
-/// The corners of lines and points make none; those of strips and fans are three each.
+/// Makes triangles of corners; strips and fans have three corners for each triangle, lines and points none.
 void makeTriangles(std::uint64_t mode, const std::vector<std::uint32_t>& corners, Shape& shape) {
   const std::size_t count = corners.size();
   if (mode == kTriangles) {
@@ -92,7 +92,7 @@ class GltfReader {
   }
 
  private:
-  /// What a file says that it cannot do without, and that has to do with geometry for all that is known.
+  /// Notes required extensions that are not supported and may concern geometry.
   void noteExtensions() {
     static const std::set<std::string, std::less<>> kRead = {"KHR_draco_mesh_compression", "EXT_meshopt_compression",
                                                              "KHR_mesh_quantization", "EXT_mesh_gpu_instancing",
@@ -108,7 +108,7 @@ class GltfReader {
     }
   }
 
-  /// The node itself, or each of its instances.
+  /// The transform of the node, or of each of its instances.
   std::vector<Affine> instancesOf(const Json& node, const Affine& world) {
     const Json& extensions = gltfObject(node, "extensions");
     const auto found = extensions.find("EXT_mesh_gpu_instancing");
@@ -138,7 +138,7 @@ class GltfReader {
     return worlds;
   }
 
-  /// Of morph targets; the node's own go before those of its mesh.
+  /// The weights of morph targets; a node's own weights override those of its mesh.
   static std::vector<double> weightsOf(const Json& node, const Json& mesh) {
     std::vector<double> weights;
     for (const Json& weight : gltfArray(node.contains("weights") ? node : mesh, "weights"))
@@ -146,7 +146,7 @@ class GltfReader {
     return weights;
   }
 
-  /// None where there are no places.
+  /// Empty where the primitive has no positions.
   std::optional<Shape> shapeOf(const Json& primitive, const std::vector<double>& weights) {
     const Json& attributes = gltfObject(primitive, "attributes");
     if (!attributes.contains("POSITION")) return std::nullopt;
@@ -165,7 +165,7 @@ class GltfReader {
       }
     }
     morph(primitive, weights, shape);
-    // Draco has unfolded strips.
+    // Draco has already converted strips to triangles.
     makeTriangles(packed != extensions.end() ? kTriangles : gltfNumber(primitive, "mode", kTriangles), corners, shape);
     return shape;
   }
@@ -224,7 +224,8 @@ class GltfReader {
     }
   }
 
-  /// In the world, as its joints stand in the file; where the node stands means nothing then.
+  /// Places a skinned shape in the world by its joints, as they stand in the file. The transform of its node has no
+  /// effect then.
   Shape skinned(const Shape& shape, std::uint64_t number) {
     const Json& skin = gltfItem(json_, "skins", number);
     GltfNumbers bind;

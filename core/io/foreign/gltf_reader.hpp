@@ -9,14 +9,14 @@
 
 namespace footfall::detail {
 
-/// Whether the file is glTF 2.0 by its content, whatever its name is.
+/// Returns whether the content of the file is glTF 2.0; its name does not count.
 bool isGltf2(const std::string& path);
 
 /// Fills `vertices`, `triangles`, `skipped`, `parts`, `partOf` and `notes` with the meshes of the scene, as
-/// readForeign() says: triangles, strips and fans; sparse, quantized and packed accessors (KHR_mesh_quantization,
-/// EXT_meshopt_compression, KHR_draco_mesh_compression); instances (EXT_mesh_gpu_instancing); skins and morph targets
-/// in the pose of the file. Node transforms are multiplied and applied in doubles; a mirroring one reverses the
-/// winding (glTF 2.0, 3.7.4). Throws OldGltf (gltf_buffers.hpp) for glTF 1.
+/// readForeign() does. It reads triangles, strips and fans; sparse, quantized and packed accessors
+/// (KHR_mesh_quantization, EXT_meshopt_compression, KHR_draco_mesh_compression); instances (EXT_mesh_gpu_instancing);
+/// skins and morph targets in the pose of the file. Node transforms are multiplied and applied in doubles; a mirroring
+/// one reverses the winding (glTF 2.0, 3.7.4). Throws OldGltf (gltf_buffers.hpp) for glTF 1.
 FileFrame readGltf(const std::string& path, Environment& environment);
 
 }  // namespace footfall::detail

@@ -13,7 +13,7 @@ namespace {
 using EdgeNumber = std::uint32_t;
 constexpr EdgeNumber kNone = kNoPolygon;
 
-/// Polygons as rings of directed edges, which begin as those of the triangles.
+/// Polygons as rings of directed edges, which begin as the rings of the triangles.
 class PolygonMerger {
  public:
   PolygonMerger(std::span<const Vec3> vertices, std::span<const Triangle> triangles,
@@ -45,7 +45,8 @@ class PolygonMerger {
   void mergeAll(Poll poll) {
     constexpr std::size_t kEdgesPerPoll = 4096;
     std::vector<EdgeNumber> edges = longestFirst();
-    // What is not convex can become so, as a polygon beside it grows: until nothing changes.
+    // A union that is not convex can become so as a polygon beside it grows, so the pass is repeated until nothing
+    // changes.
     for (bool isChanged = true; isChanged;) {
       isChanged = false;
       for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -68,7 +69,7 @@ class PolygonMerger {
     }
     result.first.reserve(count + 1);
     for (std::uint32_t t = 0; t < parent_.size(); ++t) {
-      if (result.polygonOf[t] != result.size()) continue;  // not the first triangle of the next polygon
+      if (result.polygonOf[t] != result.size()) continue;  // a later triangle of a polygon
       const EdgeNumber start = polygons_[find(t)].edge;
       EdgeNumber e = start;
       do {
@@ -83,10 +84,10 @@ class PolygonMerger {
 
  private:
   struct Polygon {
-    EdgeNumber edge;  ///< any of its ring
+    EdgeNumber edge;  ///< any edge of its ring
     std::size_t corners, triangles;
-    Vec3 point, normal;  ///< the plane of its largest triangle
-    double size;         ///< twice that triangle's area
+    Vec3 point, normal;  ///< plane of its largest triangle
+    double size;         ///< twice the area of that triangle
   };
 
   std::uint32_t find(std::uint32_t t) {
@@ -107,7 +108,8 @@ class PolygonMerger {
     return edges;
   }
 
-  /// Seen from above: to the left above 0, straight at 0; a turn back is a turn to the right.
+  /// The sign of the turn seen from above: positive to the left, 0 straight on; a reversal counts as a turn to the
+  /// right.
   [[nodiscard]] int turn(std::uint32_t from, std::uint32_t corner, std::uint32_t to) const {
     const Vec3 in = vertices_[corner] - vertices_[from], out = vertices_[to] - vertices_[corner];
     const double side = in.x * out.y - in.y * out.x;
@@ -129,19 +131,19 @@ class PolygonMerger {
     return true;
   }
 
-  /// Merges what lies on either side of the edge where that is allowed. Returns whether it did.
+  /// Merges the polygons on either side of the edge where that is allowed. Returns whether it did.
   bool tryEdge(EdgeNumber e) {
     const std::uint32_t left = find(e / 3), right = find(twin_[e] / 3);
     if (left == right) return false;
     if (!groups_.empty() && groups_[left] != groups_[right]) return false;
     Polygon &a = polygons_[left], &b = polygons_[right];
     if (a.triangles + b.triangles > rules_.maxTriangles) return false;
-    // All of the side that both share: from `begin` to `end` in a, the twins backwards in b.
+    // The whole side that both share: from `begin` to `end` in a, the twins backwards in b.
     EdgeNumber begin = e, end = e;
     std::size_t shared = 1;
     for (; shared < a.corners && isTwin(previous_[begin], next_[twin_[begin]]); ++shared) begin = previous_[begin];
     for (; shared < a.corners && isTwin(next_[end], previous_[twin_[end]]); ++shared) end = next_[end];
-    if (shared >= a.corners || shared >= b.corners) return false;  // one fills a hole of the other
+    if (shared >= a.corners || shared >= b.corners) return false;  // one polygon fills a hole of the other
     const std::size_t corners = a.corners + b.corners - 2 * shared;
     if (corners < 3 || corners > rules_.maxCorners) return false;
     const EdgeNumber intoA = previous_[begin], outOfB = next_[twin_[begin]];
@@ -173,8 +175,8 @@ class PolygonMerger {
     previous_[after] = before;
   }
 
-  /// The vertex that `e` starts from, where it is straight, also in height, and only this polygon and one other have
-  /// it.
+  /// Removes the vertex that `e` starts from, where the border is straight, also in height, and only this polygon and
+  /// one other have the vertex.
   void leaveOutStraight(EdgeNumber e) {
     const EdgeNumber before = previous_[e];
     if (twin_[e] == kNone || twin_[before] == kNone || next_[twin_[e]] != twin_[before]) return;
@@ -184,7 +186,7 @@ class PolygonMerger {
     if (turn(from, origin_[e], to) != 0) return;
     const Vec3 whole = vertices_[to] - vertices_[from], part = vertices_[origin_[e]] - vertices_[from];
     if (length(cross(whole, part)) > 2 * slack_ * length(whole)) return;
-    // `before` now leads to where `e` did, and the twin of `e` to where that of `before` did.
+    // `before` gets the end of `e`, and the twin of `e` gets the end of the twin of `before`.
     const EdgeNumber back = twin_[e], gone = twin_[before];
     connect(before, next_[e]);
     connect(back, next_[gone]);
@@ -202,8 +204,8 @@ class PolygonMerger {
   const MergeRules& rules_;
   std::vector<EdgeNumber> twin_, next_, previous_;
   std::vector<std::uint32_t> origin_;
-  std::vector<Polygon> polygons_;      ///< of those that are their own parent
-  std::vector<std::uint32_t> parent_;  ///< of triangles, to the one that stands for their polygon
+  std::vector<Polygon> polygons_;      ///< valid for triangles that are their own parents
+  std::vector<std::uint32_t> parent_;  ///< parent of each triangle; a root stands for its polygon
   double slack_ = 0;
 };
 

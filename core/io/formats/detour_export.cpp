@@ -22,7 +22,7 @@ struct DetourFree {
   void operator()(unsigned char* data) const { dtFree(data); }
 };
 
-/// What the demo has at the beginning of a file, and before each tile.
+/// The structures that the Recast demo writes at the beginning of a file and before each tile.
 struct SetHeader {
   int magic = 'M' << 24 | 'S' << 16 | 'E' << 8 | 'T';
   int version = 1;
@@ -61,7 +61,7 @@ struct TileData {
 
 TileData buildTile(const DetourTile& tile, const AgentSize& agent) {
   const auto count = [](std::size_t n) { return static_cast<int>(n); };
-  // Detour would round what stands here to 16 bits; see below.
+  // Detour would round these places to 16 bits; see below.
   const std::vector<unsigned short> places(tile.vertices.size());
   const std::vector<float> radii(tile.jumpCount(), std::max(agent.radius, 0.05f));
   dtNavMeshCreateParams params{};
@@ -90,7 +90,7 @@ TileData buildTile(const DetourTile& tile, const AgentSize& agent) {
   params.walkableHeight = agent.height;
   params.walkableRadius = agent.radius;
   params.walkableClimb = agent.climb;
-  // The boxes of its tree are in 16 bits of this, along all axes.
+  // The unit of the tree's boxes, which have 16 bits along each axis.
   float size = 0;
   for (std::size_t k = 0; k < 3; ++k) size = std::max(size, tile.high[k] - tile.low[k]);
   params.cs = size / 65'000.0f;
@@ -138,7 +138,7 @@ DetourFile formatDetour(const NavigationMesh& mesh, const ExportHeader& header, 
     poll();
     TileData data = buildTile(tile, agent);
     TileHeader tileHeader{0, data.size};
-    // Adding a tile changes its bytes, so they are written before; the reference is known behind.
+    // Adding a tile changes its bytes, so they are written first; the reference is filled in afterwards.
     const std::size_t place = file.bytes.size();
     append(file.bytes, tileHeader);
     file.bytes.append(reinterpret_cast<const char*>(data.bytes.get()), static_cast<std::size_t>(data.size));

@@ -1,4 +1,4 @@
-// In place of detour_export.cpp where the library was not found.
+// Replaces detour_export.cpp where the library was not found.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/formats/detour_export.hpp"
 #include "footfall/errors.hpp"

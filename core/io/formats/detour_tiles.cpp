@@ -16,13 +16,14 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::uint16_t kNoCorner = 0xFFFF, kBorder = 0x800F, kPortal = 0x8000;
-/// Of one polygon: corners and further vertices of its triangles are numbered by a byte.
+/// The most triangles of a polygon: a byte numbers its corners and the further vertices of its triangles.
 constexpr std::size_t kMaxTriangles = 120;
-/// Detour draws in the edges of tiles by 1 cm at either end, and joins what still overlaps.
+/// The shortest common edge on the border of two tiles. Detour shortens such edges by 1 cm at either end, and joins
+/// edges that still overlap.
 constexpr double kShortestPortal = 0.0201;
-/// Bits that a reference has for tile and polygon; the others tell versions of a tile apart.
+/// Bits of a reference for the tile and the polygon; the others distinguish versions of a tile.
 constexpr int kReferenceBits = 22;
-/// With more of them there are too few bits for the polygons of each.
+/// With more tiles there are too few bits for the polygons of each.
 constexpr std::size_t kMaxTiles = 4096;
 
 struct Grid {
@@ -62,7 +63,7 @@ Bounds boundsOf(const std::vector<Vec3>& vertices) {
   return bounds;
 }
 
-/// Room around the mesh, so that what lies on its border is inside the tile.
+/// A margin around the mesh, so that places on its border lie inside the tile.
 double marginOf(const Bounds& bounds) {
   double size = 0, largest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -72,7 +73,7 @@ double marginOf(const Bounds& bounds) {
   return std::max({0.1, size * 0x1p-10, largest * 0x1p-20});
 }
 
-/// A grid of about so many tiles whose inner lines meet no vertex: it begins a little farther out until that is so.
+/// A grid of about `tiles` tiles. Its start moves outwards until none of its inner lines meets a vertex.
 Grid gridFor(const std::vector<Vec3>& vertices, const Bounds& bounds, std::size_t tiles) {
   const double margin = marginOf(bounds);
   const double sizeX = bounds.high[0] - bounds.low[0], sizeZ = bounds.high[2] - bounds.low[2];
@@ -107,7 +108,7 @@ class TileMaker {
   TileMaker(EngineMesh mesh, const Grid& grid, const DetourLimits& limits, Poll poll)
       : mesh_(std::move(mesh)), grid_(grid), limits_(limits), poll_(poll) {}
 
-  /// Empty where the limits are too tight.
+  /// Empty where the tiles exceed the limits.
   std::optional<std::vector<DetourTile>> make() {
     for (int i = 1; i < grid_.columns; ++i) cut(0, grid_.lineX(i));
     for (int i = 1; i < grid_.rows; ++i) cut(1, -static_cast<double>(grid_.lineZ(i)));
@@ -141,7 +142,7 @@ class TileMaker {
   }
   [[nodiscard]] std::size_t tileOf(const Triangle& triangle) const {
     const Vec3 &a = mesh_.vertices[triangle[0]], &b = mesh_.vertices[triangle[1]], &c = mesh_.vertices[triangle[2]];
-    // The middle of its box: no corner lies beyond the tile, and not all lie on one side of it.
+    // The middle of the triangle's box; no corner lies beyond the tile, and the corners are on both sides of it.
     const auto middle = [](double x, double y, double z) { return std::min({x, y, z}) / 2 + std::max({x, y, z}) / 2; };
     return tileAt({middle(a.x, b.x, c.x), middle(a.y, b.y, c.y), 0});
   }
@@ -259,7 +260,7 @@ class TileMaker {
     for (const EngineLink& link : mesh_.links) {
       const auto from = border_.find(edgeKey(link.from[0], link.from[1]));
       const auto to = border_.find(edgeKey(link.to[0], link.to[1]));
-      if (from == border_.end() || to == border_.end()) continue;  // an edge without a triangle links nothing
+      if (from == border_.end() || to == border_.end()) continue;  // an edge without a triangle has no link
       const std::size_t a = polygonAt(from->second), b = polygonAt(to->second);
       if (a == b) continue;
       std::uint16_t &aBeyond = neighbourAt(from->second), &bBeyond = neighbourAt(to->second);
@@ -287,7 +288,7 @@ class TileMaker {
     }
   }
 
-  /// Of an edge of the polygon, a little inside the triangle of the polygon that has it.
+  /// A place on an edge of the polygon, moved a little into the polygon's triangle at that edge.
   [[nodiscard]] Vec3 middleOf(const std::array<std::uint32_t, 2>& edge, std::size_t polygon) const {
     const Vec3 middle = 0.5 * (mesh_.vertices[edge[0]] + mesh_.vertices[edge[1]]);
     const auto hasBoth = [&](std::uint32_t t) {
@@ -314,12 +315,12 @@ class TileMaker {
   Poll poll_;
   ConvexPolygons polygons_;
   std::vector<DetourTile> tiles_;
-  std::vector<std::size_t> sizes_;                   ///< polygons of each tile
-  std::vector<std::size_t> corners_;                 ///< of them, all together
-  std::vector<std::size_t> tile_, number_;           ///< of each polygon, and in its tile
+  std::vector<std::size_t> sizes_;                   ///< number of polygons in each tile
+  std::vector<std::size_t> corners_;                 ///< number of their corners, all together
+  std::vector<std::size_t> tile_, number_;           ///< the tile of each polygon, and its number there
   std::vector<std::vector<std::uint32_t>> members_;  ///< triangles of each polygon
   std::vector<std::uint32_t> opposite_;
-  std::vector<std::size_t> slot_;  ///< where a tile has the neighbour of each edge
+  std::vector<std::size_t> slot_;  ///< index of each edge's neighbour in its tile
   std::unordered_map<std::uint64_t, std::uint32_t> border_;
 };
 
@@ -342,7 +343,7 @@ DetourTiles detourTiles(const EngineMesh& mesh, const DetourLimits& limits, Poll
   for (std::size_t count = 1; count <= kMaxTiles; count *= 2) {
     poll();
     const Grid grid = gridFor(mesh.vertices, bounds, count);
-    if (mesh.triangles.size() > 6 * limits.polygons * count) continue;  // polygons are rarely larger
+    if (mesh.triangles.size() > 6 * limits.polygons * count) continue;  // polygons rarely have more triangles
     std::optional<std::vector<DetourTile>> tiles = TileMaker(mesh, grid, limits, poll).make();
     if (!tiles) continue;
     std::size_t largest = 1;

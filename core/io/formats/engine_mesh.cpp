@@ -13,8 +13,8 @@ namespace footfall::detail {
 namespace {
 
 double rounded(double x) {
-  // Volatile, because GCC 12 leaves the way to a float and back out where it takes two numbers at once.
-  const volatile auto number = static_cast<float>(x + 0.0);  // no -0
+  // The number is volatile, because GCC 12 omits the conversion to float and back where it vectorizes two numbers.
+  const volatile auto number = static_cast<float>(x + 0.0);  // avoids -0
   const float value = number;
   if (!std::isfinite(value))
     throw InputError(
@@ -49,8 +49,8 @@ class Cut {
   [[nodiscard]] double coordinate(const Vec3& p) const { return axis_ == 0 ? p.x : p.y; }
   [[nodiscard]] bool isBeyond(std::uint32_t v) const { return coordinate(mesh_.vertices[v]) > place_; }
 
-  /// The vertex where the edge is cut. The lower end counts first, so that borders that lie over each other in the plan
-  /// are cut at one place.
+  /// The vertex where the edge is cut. The lower end counts first, so that borders above each other in the plan are cut
+  /// at the same place.
   std::uint32_t crossing(std::uint32_t a, std::uint32_t b) {
     const std::uint64_t key = static_cast<std::uint64_t>(std::min(a, b)) << 32 | std::max(a, b);
     const auto [found, isNew] = crossings_.try_emplace(key, static_cast<std::uint32_t>(mesh_.vertices.size()));
@@ -71,7 +71,7 @@ class Cut {
       mesh_.triangles.push_back(triangle);
       return;
     }
-    std::size_t alone = 0;  // the corner that is on its side by itself
+    std::size_t alone = 0;  // the corner that is alone on its side
     while (isBeyond(triangle[alone]) != (beyond == 1)) ++alone;
     const std::uint32_t a = triangle[alone], b = triangle[(alone + 1) % 3], c = triangle[(alone + 2) % 3];
     const std::uint32_t ab = crossing(a, b), ca = crossing(c, a);
@@ -88,7 +88,7 @@ class Cut {
       const std::uint32_t m = crossing(a, b), n = crossing(c, d);
       mesh_.links.push_back({{a, m}, {n, d}});
       mesh_.links.push_back({{m, b}, {c, n}});
-    } else if (fromCut) {  // a gap: what lies on the side of the other edge goes on
+    } else if (fromCut) {  // a gap: the part on the side of the other edge goes on
       const std::uint32_t m = crossing(a, b);
       mesh_.links.push_back({isBeyond(a) == isBeyond(d) ? std::array{a, m} : std::array{m, b}, link.to});
     } else if (toCut) {

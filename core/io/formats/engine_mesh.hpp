@@ -1,4 +1,4 @@
-// A navigation mesh as engines take it: metres, floats, and what leads from place to place beside common edges.
+// A navigation mesh for game engines: metres, floats, and the links between places that share no edge.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,42 +10,43 @@
 
 namespace footfall::detail {
 
-/// Two edges of the border, as vertex numbers with the walkable area on the left, between which an agent steps, both
-/// ways. The end of one lies at the start of the other.
+/// Two edges of the border that an agent steps between in both directions, as vertex numbers with the walkable area on
+/// the left. The end of one lies at the start of the other.
 struct EngineLink {
   std::array<std::uint32_t, 2> from, to;
 };
 
-/// A way that cannot be said by common edges: from one place inside a triangle to one inside another.
+/// A way that common edges cannot express: from a place inside one triangle to a place inside another.
 struct EngineJump {
   Vec3 from, to;
   bool isBothWays = false;
   bool isDrop = false;
 };
 
-/// Z up still; whoever writes it turns it. All coordinates are numbers that a float holds.
+/// The mesh in Z up; each writer turns it. Floats hold all coordinates exactly.
 struct EngineMesh {
   std::vector<Vec3> vertices;
   std::vector<Triangle> triangles;    ///< counter-clockwise from above
-  std::vector<std::uint32_t> layers;  ///< of each triangle; empty without layers
+  std::vector<std::uint32_t> layers;  ///< layer of each triangle; empty without layers
   std::vector<EngineLink> links;
   std::vector<EngineJump> jumps;
-  double largestError = 0;  ///< in metres, by which rounding moved a coordinate
+  double largestError = 0;  ///< the largest distance, in metres, by which rounding moved a coordinate
 };
 
-/// How far inside a triangle the ends of jumps lie that are on its border, in metres; less where the triangle is small.
-/// So each of them belongs to one polygon only.
+/// The distance, in metres, by which ends of jumps on a triangle's border are moved inside; less where the triangle is
+/// small. Each end thus belongs to one polygon only.
 inline constexpr double kInset = 0.005;
 
 /// `place` on the border of a triangle, moved towards the triangle's middle by at most kInset, rounded to floats.
 Vec3 insetPlace(const EngineMesh& mesh, const Triangle& triangle, const Vec3& place);
 
-/// Rounds the mesh in metres times `options.scale`. Of a drop there is a jump for each begun metre of its width. What
-/// `options` leave out (layers, steps, drops) is not there. Throws InputError for what no float holds (checkScale()).
+/// Rounds the mesh in metres times `options.scale`. A drop has a jump for each begun metre of its width. Layers, steps
+/// and drops that `options` leave out are missing. Throws InputError for coordinates that no float holds
+/// (checkScale()).
 EngineMesh engineMesh(const NavigationMesh& mesh, const ExportOptions& options);
 
-/// Cuts all triangles where coordinate `axis` (0: x, 1: y) is `place`, which no vertex has: common edges get common
-/// vertices. Links are cut into two, as far as both parts have their other edge on the same side.
+/// Cuts all triangles where coordinate `axis` (0: x, 1: y) equals `place`, which no vertex has; common edges get common
+/// vertices. Links are cut in two where both parts have their other edge on the same side.
 void cutAlong(EngineMesh& mesh, int axis, double place);
 
 }  // namespace footfall::detail

@@ -101,7 +101,7 @@ constexpr std::array kFormats{
     },
 };
 
-/// "3 drops, 2 obstacle edges"
+/// Joins phrases: "3 drops, 2 obstacle edges".
 Text listed(const std::vector<Text>& parts) {
   Text list = parts.front();
   for (std::size_t i = 1; i < parts.size(); ++i) list = Text(Pattern{"%1, %2"}, list, parts[i]);
@@ -157,7 +157,7 @@ Text lossesOf(ExportFormat format, const NavigationMesh& mesh, const ExportOptio
   const auto add = [&](std::size_t count, bool isAsked, bool isKept, Pattern one, Pattern many) {
     if (count > 0 && isAsked && !isKept) lost.push_back(countedText(count, one, many));
   };
-  // One layer is no loss: everything is in it.
+  // A single layer is no loss, because it holds everything.
   add(mesh.layerCount > 1 ? mesh.layerCount : 0, options.layers, descriptor.hasLayers, FOOTFALL_TEXT("1 layer"),
       FOOTFALL_TEXT("%1 layers"));
   add(mesh.drops.size(), options.drops, descriptor.hasDrops, FOOTFALL_TEXT("1 drop"), FOOTFALL_TEXT("%1 drops"));

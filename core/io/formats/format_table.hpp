@@ -1,4 +1,4 @@
-// What a result can be written as: one table for save(), the command line and the editor.
+// The table of export formats, used by save(), the command line and the editor.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,10 +15,10 @@ enum class ExportFormat { Obj, Gltf, Glb, Detour, Godot, Wkt, GeoJson };
 struct FormatDescriptor {
   ExportFormat format;
   const char* ending;  ///< with its dot, in lower case
-  Pattern name;        ///< for people: "Wavefront OBJ"
+  Pattern name;        ///< name for people: "Wavefront OBJ"
   Pattern keeps;       ///< a phrase: "everything, in doubles"
   Pattern loses;       ///< a phrase; empty where nothing is lost
-  // Which of ExportOptions and extras the format has.
+  // The options and extras that the format supports.
   bool hasLayers = true;         ///< layers
   bool hasLines = true;          ///< connections, obstacleEdges
   bool hasDrops = true;          ///< drops; all have steps
@@ -30,28 +30,28 @@ struct FormatDescriptor {
   bool hasCoordinateSystem = false;
   bool hasFloats = true;        ///< coordinates are rounded
   bool hasFilesBeside = false;  ///< a file for each layer, and more: existingOutputs()
-  // What becomes of them, for a choice that people make.
+  // The form of layers in the format, for a list of choices.
   Pattern layersAs = FOOTFALL_TEXT("A group for each layer");
   Pattern stepsAs = FOOTFALL_TEXT("Steps as faces");
 };
 
-/// All formats, the usual one first.
+/// All formats; the default one is first.
 std::span<const FormatDescriptor> exportFormats();
 const FormatDescriptor& descriptorOf(ExportFormat format);
 
 /// ".obj, .gltf, ... or .geojson", for messages.
 std::string exportEndings();
 
-/// Which format a name asks for by its ending, in any case; one without an ending is OBJ. Throws InputError that names
-/// what can be written.
+/// The format of a name's ending, in any case; a name without an ending is OBJ. Throws InputError that lists the
+/// formats.
 ExportFormat exportFormatOf(const std::string& path);
 
-/// Throws InputError for an option that is not as it stands in ExportOptions and that the format knows nothing of. To
-/// leave out what the format does not have is no such option. Throws for a coordinate system that is none, too.
+/// Throws InputError for an option that differs from its default and that the format does not support, except options
+/// that leave out content the format does not have. Also throws for an invalid coordinate system.
 void checkOptions(ExportFormat format, const ExportOptions& options);
 
-/// What is in the mesh, is asked for in `options`, and is not in the format: "3 drops, 12 obstacle edges"; empty where
-/// nothing is lost. Rounding to floats is told by save().
+/// The requested content of the mesh that the format cannot hold: "3 drops, 12 obstacle edges"; empty where nothing is
+/// lost. save() reports rounding to floats.
 Text lossesOf(ExportFormat format, const NavigationMesh& mesh, const ExportOptions& options);
 
 }  // namespace footfall::detail

@@ -98,7 +98,7 @@ class GeoJsonWriter {
     end();
   }
 
-  /// Whether there is a line to be drawn in the plan; then it is begun.
+  /// Begins a line and returns true where it has a length in the plan.
   bool beginLine(const Vec3& a, const Vec3& b, const char* kind) {
     if (a.x == b.x && a.y == b.y) return false;
     begin("LineString");
@@ -125,7 +125,7 @@ class GeoJsonWriter {
   }
 
   void addLines() {
-    // Connections and barriers are known by their vertices alone; one of those may be in several parts.
+    // Connections and barriers are identified by their vertices only; a vertex may be in several parts.
     std::vector<std::array<std::uint32_t, 3>> sides;
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) sides.push_back({mesh_.triangles[t][k], mesh_.triangles[t][next(k)], t});

@@ -18,7 +18,7 @@
 namespace footfall::detail {
 namespace {
 
-/// In metres: what heights may be off where Godot divides a polygon into other triangles than it was made of.
+/// The error of heights, in metres, that is allowed where Godot divides a polygon into other triangles than its own.
 constexpr double kFlatness = 0.001;
 constexpr std::size_t kPolygonsPerPoll = 1024;
 
@@ -27,7 +27,7 @@ using Polygon = std::vector<std::uint32_t>;
 
 Place placeOf(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// The polygons of the surface and of the steps, over the vertices of `mesh` and some more.
+/// The polygons of the surface and of the steps, over the vertices of `mesh` and further ones.
 class GodotPolygons {
  public:
   GodotPolygons(EngineMesh& mesh, Poll poll) : mesh_(mesh) {
@@ -51,14 +51,14 @@ class GodotPolygons {
  private:
   using Key = std::pair<Place, Place>;
   using Edge = std::array<std::uint32_t, 2>;
-  /// Of an edge: one for each link, as Godot joins no more than two polygons on one.
+  /// The pieces of an edge, one for each link, because Godot joins at most two polygons on an edge.
   struct Pieces {
     std::size_t count = 0, used = 0;
-    std::vector<std::uint32_t> vertices;  ///< count + 1 from end to end
+    std::vector<std::uint32_t> vertices;  ///< count + 1 vertices from end to end
   };
 
-  /// Where an edge of the border lies on one between two polygons (another surface begins in a fold), that place is
-  /// taken: Godot would join a third polygon there.
+  /// Counts the edges between two polygons. An edge of the border may lie on such an edge (another surface begins in a
+  /// fold); Godot would join a third polygon there.
   void countInnerEdges(const ConvexPolygons& merged) {
     std::set<Key> borders, inner;
     const auto each = [&](const auto& use) {
@@ -83,7 +83,7 @@ class GodotPolygons {
       pieces.vertices.push_back(placeOn(edge, static_cast<double>(i) / static_cast<double>(pieces.count)));
     pieces.vertices.push_back(edge[1]);
   }
-  /// A new vertex.
+  /// Adds a vertex on the edge.
   std::uint32_t placeOn(const Edge& edge, double t) {
     const Vec3 a = mesh_.vertices[edge[0]], b = mesh_.vertices[edge[1]];
     mesh_.vertices.push_back(a + t * (b - a));
@@ -106,8 +106,8 @@ class GodotPolygons {
     return isSamePlace(link.from[0], link.to[1]) && isSamePlace(link.from[1], link.to[0]);
   }
 
-  /// An edge of the border at the place of an earlier one is the other side of an obstacle edge, unless one steps over
-  /// it.
+  /// Adds a polygon of the surface. A border edge at the place of an earlier one is the other side of an obstacle edge,
+  /// unless a link crosses it.
   void addSurface(const ConvexPolygons& merged, std::size_t polygon) {
     Polygon corners;
     const std::span<const std::uint32_t> given = merged.cornersOf(polygon);
@@ -131,15 +131,15 @@ class GodotPolygons {
     addPolygon(corners);
   }
 
-  /// Of the edges at one place, all but the first get a corner of their own, each another one.
+  /// Adds a different extra corner to each edge at one place except the first, so that Godot does not join them.
   void keepApart(Polygon& corners, const Edge& edge) {
     if (isSamePlace(edge[0], edge[1])) return;
     const int earlier = borders_[key(edge[0], edge[1])]++;
     if (earlier > 0) corners.push_back(placeOn(edge, 1.0 / (1 + earlier)));
   }
 
-  /// Without corners that are at one place as floats. What is left of a polygon with two corners is not needed: what
-  /// was beside it has edges at one place.
+  /// Adds a polygon without corners that are equal as floats. A polygon that has two corners left is dropped, because
+  /// its neighbours have edges at one place.
   void addPolygon(const Polygon& corners) {
     Polygon apart;
     for (const std::uint32_t v : corners)
@@ -147,10 +147,10 @@ class GodotPolygons {
     if (apart.size() >= 3) polygons_.push_back(std::move(apart));
   }
 
-  /// Beyond the edge of the first border, back along the second one.
+  /// Adds the polygon of a step: beyond the edge of the first border, and back along the second one.
   void addStep(const EngineLink& link) {
     const Edge from = nextPiece(link.from), to = nextPiece(link.to);
-    if (isSamePlace(from[0], from[1]) || isSamePlace(to[0], to[1])) return;  // shorter than floats tell
+    if (isSamePlace(from[0], from[1]) || isSamePlace(to[0], to[1])) return;  // shorter than floats can express
     Polygon corners{from[1], from[0]};
     keepApart(corners, {from[0], to[1]});
     corners.insert(corners.end(), {to[1], to[0]});
@@ -159,9 +159,9 @@ class GodotPolygons {
   }
 
   EngineMesh& mesh_;
-  std::map<Edge, Pieces> pieces_;  ///< of edges with links
+  std::map<Edge, Pieces> pieces_;  ///< by edge with links
   std::set<Key> joined_;
-  std::map<Key, int> borders_;  ///< how many edges were at a place
+  std::map<Key, int> borders_;  ///< number of edges at a place
   std::vector<Polygon> polygons_;
 };
 

@@ -16,16 +16,15 @@ struct GodotFile {
   std::size_t polygons = 0;
 };
 
-/// A NavigationMesh as a text resource: of Godot 4 (format 3), or of Godot 3 (format 2) where `options.godot` says so;
-/// metres, Y up, polygons clockwise from above, as Godot bakes them. Polygons are convex and flat to within 1 mm
-/// (mergeTriangles()), with as many corners as that gives; Godot takes them for fans of triangles around their first
-/// corner.
+/// Writes a NavigationMesh as a text resource of Godot 4 (format 3), or of Godot 3 (format 2) where `options.godot`
+/// chooses it, in metres and Y up. Polygons are clockwise from above, as Godot bakes them, convex and flat to within 1
+/// mm (mergeTriangles()), with any number of corners. Godot reads them as fans of triangles around their first corner.
 ///
-/// Godot joins edges whose ends are at the same places, by cells of its map, whatever their numbers. So a step or a gap
-/// is a polygon between both borders (an edge with several of them is divided, as Godot joins two polygons on an edge
-/// at most), and of the two sides of an obstacle edge one gets a corner in its middle, which
-/// keeps them apart. Agent: height, radius, step and slope, where they are known. Throws what engineMesh() throws, and
-/// InputError for another version, and what `poll` throws.
+/// Godot joins edges whose ends fall into the same squares of its map, and ignores their indices. So a step or a gap is
+/// written as a polygon between both borders. An edge with several links is divided, because Godot joins at most two
+/// polygons on an edge. One of the two sides of an obstacle edge gets a corner in its middle, which keeps the sides
+/// apart. The resource holds the agent's height, radius, step and slope, where they are known. Throws what engineMesh()
+/// throws, InputError for another version of Godot, and what `poll` throws.
 GodotFile formatGodot(const NavigationMesh& mesh, const ExportHeader& header, const ExportOptions& options = {},
                       Poll poll = {});
 

@@ -21,7 +21,7 @@ void checkReplaced(const std::string& path) {
   std::string_view expected;
   switch (exportFormatOf(path)) {
     case ExportFormat::Detour:
-      expected = "TESM";  // the word MSET, lowest byte first
+      expected = "TESM";  // MSET, lowest byte first
       break;
     case ExportFormat::Godot:
       expected = "[gd_resource type=\"NavigationMesh\"";

@@ -1,4 +1,4 @@
-// A result in any of the formats of the table.
+// Writing a result in any format of the table.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,16 +13,16 @@
 namespace footfall::detail {
 
 struct ExportFiles {
-  std::vector<OutputFile> files;  ///< one, unless FormatDescriptor::hasFilesBeside
-  double largestError = 0;        ///< in metres, by which rounding moved a coordinate
+  std::vector<OutputFile> files;  ///< a single file unless FormatDescriptor::hasFilesBeside
+  double largestError = 0;        ///< the largest distance, in metres, by which rounding moved a coordinate
 };
 
-/// Other programs have files of other kinds with the same ending: buffers of glTF (.bin), materials of Godot (.tres).
-/// Throws InputError where one of these would be replaced; what is no file or cannot be read is left to writing.
+/// Throws InputError where the target is a file of another kind with the same ending: buffers of glTF (.bin), materials
+/// of Godot (.tres). Names that are no file or cannot be read are left to the writer.
 void checkReplaced(const std::string& path);
 
-/// What save() writes to `path`, whose ending is not looked at; throws what it throws before it writes, and what `poll`
-/// throws.
+/// Makes the files that save() writes to `path`, whose ending is not checked. Throws what save() throws before it
+/// writes, and what `poll` throws.
 ExportFiles formatExport(ExportFormat format, const std::string& path, const NavigationMesh& mesh,
                          const ExportHeader& header, const ExportOptions& options,
                          std::span<const ExportExtra> extras = {}, Poll poll = {});

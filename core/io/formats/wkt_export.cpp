@@ -28,7 +28,7 @@ class WktWriter {
     text += ')';
   }
 
-  /// Without those that have no length in the plan.
+  /// Writes lines, without those that have no length in the plan.
   void lines(const std::vector<std::array<Vec3, 2>>& all) {
     std::vector<std::array<Vec3, 2>> some;
     for (const auto& line : all)

@@ -1,4 +1,4 @@
-// The walkable area as well-known text (OGC Simple Features), as JuPedSim and others take it.
+// Writing the walkable area as well-known text (OGC Simple Features), which JuPedSim and others read.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,25 +12,25 @@
 
 namespace footfall::detail {
 
-// All coordinates are metres in the plan (X, Y of a Z-up frame) times ExportOptions::scale: the environment's units
-// times its metresPerUnit, which changes nothing where that is 1. Numbers are the shortest that read back equal; outer
-// rings are counter-clockwise. Each text ends with a line break, and the same mesh gives the same bytes.
+// All coordinates are metres in the plan (X, Y of a Z-up frame) times ExportOptions::scale. Metres are the
+// environment's units times its metresPerUnit. Numbers are the shortest that read back equal; outer rings are
+// counter-clockwise. Each text ends with a line break, and the same mesh gives the same bytes.
 
 /// The polygons of a layer, or of all layers: POLYGON where there is one, POLYGON EMPTY where there is none, else a
-/// GEOMETRYCOLLECTION of them; no MULTIPOLYGON, as that forbids the borders that neighbouring parts share. With `part`
-/// (from 0), only those of that connected part.
+/// GEOMETRYCOLLECTION of them. MULTIPOLYGON is not used, because it forbids the borders that neighbouring parts share.
+/// With `part` (from 0), only the polygons of that connected part.
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
                            std::optional<std::uint32_t> part = std::nullopt);
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
                            const ExportOptions& options, Poll poll = {});
 
-/// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there is nothing: the edges where layers meet, those over
-/// which steps, gaps and drops lead, and the edges inside polygons that cannot be crossed.
+/// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there are no lines: the edges where layers meet; the
+/// edges of steps, gaps and drops; and the edges inside polygons that agents cannot cross.
 std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, const ExportOptions& options = {},
                            Poll poll = {});
 
-/// `path` for a single layer or without layers, else "level-0.wkt" and so on beside it, and "level-links.wkt". Throws
-/// what checkPolygonOptions() and `poll` throw.
+/// Makes `path` for a single layer or without layers, else "level-0.wkt" and so on beside it, and "level-links.wkt".
+/// Throws what checkPolygonOptions() and `poll` throw.
 std::vector<OutputFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path,
                                      const ExportOptions& options = {}, Poll poll = {});
 

@@ -27,7 +27,7 @@ std::array<double, Count> numbersOf(const Json& node, const char* name, const st
 
 Affine transformOf(const Json& node) {
   if (node.contains("matrix")) {
-    const auto m = numbersOf<16>(node, "matrix", {});  // by columns
+    const auto m = numbersOf<16>(node, "matrix", {});  // column by column
     return {{{m[0], m[4], m[8], m[12]}, {m[1], m[5], m[9], m[13]}, {m[2], m[6], m[10], m[14]}}};
   }
   return gltfTransform(numbersOf<3>(node, "translation", {0, 0, 0}), numbersOf<4>(node, "rotation", {0, 0, 0, 1}),
@@ -47,7 +47,7 @@ std::vector<std::size_t> parentsOf(const Json& nodes) {
   return parents;
 }
 
-/// Those of the scene that is to be shown, or all that have no parent.
+/// The roots of the scene that the file displays, or all nodes without a parent.
 std::vector<std::size_t> rootsOf(const Json& file, const std::vector<std::size_t>& parents) {
   std::vector<std::size_t> roots;
   const Json& scenes = gltfArray(file, "scenes");
@@ -64,7 +64,7 @@ std::vector<std::size_t> rootsOf(const Json& file, const std::vector<std::size_t
   return roots;
 }
 
-/// Calls visit(node) for `roots` and all below them, depth first, with a stack of its own.
+/// Calls visit(node) for `roots` and all nodes below them, depth first, with a stack on the heap.
 template <class Visit>
 void visitDepthFirst(const Json& nodes, const std::vector<std::size_t>& roots, const Visit& visit) {
   std::vector<std::size_t> stack(roots.rbegin(), roots.rend());
@@ -96,7 +96,7 @@ std::uint64_t gltfNumber(const Json& object, const char* name, std::optional<std
     failGltf(Text(FOOTFALL_TEXT("'%1' is missing"), name));
   }
   if (found->is_number_unsigned()) return found->get<std::uint64_t>();
-  // Some exporters write whole numbers with a point.
+  // Some exporters write integers with a point.
   const double value = found->is_number_float() ? found->get<double>() : -1;
   if (!(value >= 0 && value < 1e15 && value == std::floor(value)))
     failGltf(Text(FOOTFALL_TEXT("'%1' is no number that can stand there"), name));

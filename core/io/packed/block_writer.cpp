@@ -145,7 +145,7 @@ void BlockWriter::addCoarse(PackedBlock& block) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::array<double, 3> place{face[k].x, face[k].y, face[k].z};
       for (std::size_t axis = 0; axis < 3; ++axis) {
-        // Halves: a box may be longer than any double.
+        // Halves are subtracted, because a box may be longer than any double.
         const double side = upper[axis] / 2 - lower[axis] / 2;
         const double share = side > 0 ? (place[axis] / 2 - lower[axis] / 2) / side : 0;
         packed[k][axis] = static_cast<std::uint16_t>(std::lround(65535 * std::clamp(share, 0.0, 1.0)));

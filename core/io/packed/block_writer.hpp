@@ -1,4 +1,4 @@
-// Writing a packed environment block by block, from faces in their order.
+// Writing a packed environment block by block from faces in their order.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace footfall::detail {
 
-/// A face with all that a block says of it.
+/// A face with all data that its block stores.
 struct PackedFace {
   std::uint32_t number = 0, part = 0;
   Triangle corners{};
@@ -23,12 +23,12 @@ struct PackedFace {
 
 class BlockWriter {
  public:
-  /// `vertices`, `faces`: how many the environment has; `poll` must live as long.
+  /// `vertices` and `faces` are the totals of the environment; `poll` must live as long as the writer.
   BlockWriter(const std::string& target, std::uint64_t vertices, std::uint64_t faces, bool hasParts, Poll poll);
 
   void add(const PackedFace& face);
-  /// After the last face: writes the vertices of no face, whose places `vertexAt` gives, then what is left, and
-  /// renames.
+  /// Called after the last face. Writes the vertices that no face has, whose places `vertexAt` returns, and the
+  /// remaining tables, and renames the file.
   PackedHeader finish(const std::string& description, const std::function<Vec3(std::uint32_t)>& vertexAt);
 
  private:
@@ -41,16 +41,16 @@ class BlockWriter {
   PackedCoarse writeCoarse();
 
   GrowingFile file_;
-  ScratchFile coarse_;  ///< PackedCoarseFaces
+  ScratchFile coarse_;  ///< holds PackedCoarseFaces
   std::uint64_t vertexCount_, faceCount_;
-  std::size_t mostCoarse_;  ///< of a block
+  std::size_t mostCoarse_;  ///< for each block
   Digest coarseSum_;
   bool hasParts_;
   Poll poll_;
   std::vector<std::uint64_t> isWritten_;  ///< a bit for each vertex that a block owns
   std::vector<PackedBlock> table_;
 
-  // The block that grows.
+  // The block that is being filled.
   std::vector<Vec3> places_;
   std::vector<std::uint32_t> vertices_, faces_, parts_;
   std::vector<std::array<std::uint16_t, 3>> corners_;

@@ -15,7 +15,7 @@ namespace {
 
 using Corners = std::array<std::uint16_t, 3>;
 
-constexpr std::uint64_t kAllCoarse = 1U << 17U;  // a picture that is drawn at once
+constexpr std::uint64_t kAllCoarse = 1U << 17U;  // few enough to draw at once
 constexpr std::uint64_t kLeast = 16;
 constexpr double kMostOfArea = 0.3;
 
@@ -40,7 +40,7 @@ std::vector<std::uint32_t> largestOf(const std::vector<double>& areas, std::size
   return largest;
 }
 
-/// The middles of the triangles lie in a cube from here, of this side.
+/// A cube that holds the middles of the triangles: its lowest corner and its side.
 struct Cube {
   Vec3 lower;
   double side = 0;
@@ -58,7 +58,7 @@ Cube cubeOf(std::span<const Vec3> places, std::span<const Corners> corners) {
   return {lower, std::max({upper.x - lower.x, upper.y - lower.y, upper.z - lower.z})};
 }
 
-/// What is left of the triangles when all vertices of a cell are moved to the first of them.
+/// The triangles that remain when all vertices of a grid square are moved to its first vertex.
 std::vector<Corners> movedTogether(std::span<const Vec3> places, std::span<const Corners> corners, const Cube& cube,
                                    double cells) {
   constexpr double kReach = 1 << 20;
@@ -79,14 +79,15 @@ std::vector<Corners> movedTogether(std::span<const Vec3> places, std::span<const
   for (const Corners& triangle : corners) {
     Corners now{moved[triangle[0]], moved[triangle[1]], moved[triangle[2]]};
     if (now[0] == now[1] || now[1] == now[2] || now[2] == now[0]) continue;
-    // Walls without thickness have two sides: the order counts, the first corner does not.
+    // Walls without thickness have two sides: the order of corners counts, the first corner does not.
     std::rotate(now.begin(), std::min_element(now.begin(), now.end()), now.end());
     if (known.insert(std::uint64_t{now[0]} << 32U | std::uint64_t{now[1]} << 16U | now[2]).second) left.push_back(now);
   }
   return left;
 }
 
-/// The finest grid that leaves no more than `most`, nearly: a grid of twice the cells has about four times as many.
+/// The result of nearly the finest grid that leaves at most `most` triangles. A grid of twice the resolution leaves
+/// about four times as many.
 std::vector<Corners> clustered(std::span<const Vec3> places, std::span<const Corners> corners, std::size_t most) {
   constexpr int kTries = 8;
   const Cube cube = cubeOf(places, corners);

@@ -32,7 +32,7 @@ std::string_view bytesOf(const Item& item) {
   return {reinterpret_cast<const char*>(&item), sizeof(Item)};
 }
 
-/// The cell of a coordinate, of 2^kHilbertBits3 over the extent. Halves, because extents may overflow.
+/// The step of a coordinate among 2^kHilbertBits3 over the extent. Halves are used, because extents may overflow.
 std::uint32_t cellOf(double x, double lower, double halfExtent) {
   constexpr double kCells = 1U << kHilbertBits3;
   const double place = halfExtent > 0 ? (x / 2 - lower / 2) / halfExtent * kCells : 0;
@@ -41,9 +41,9 @@ std::uint32_t cellOf(double x, double lower, double halfExtent) {
 
 }  // namespace
 
-/// As runs on the disk have them.
+/// A face as sorted runs on the disk store it.
 struct EnvironmentPacker::Face {
-  std::uint64_t key = 0;  ///< along the curve
+  std::uint64_t key = 0;  ///< place along the curve
   PackedFace face;
 
   bool operator<(const Face& other) const {
@@ -51,12 +51,12 @@ struct EnvironmentPacker::Face {
   }
 };
 
-/// Bytes of `sorted_`.
+/// A range of bytes in `sorted_`.
 struct EnvironmentPacker::Run {
   std::uint64_t first = 0, last = 0;
 };
 
-/// Vertices that are looked up again, by the page.
+/// A cache of vertex pages for vertices that are looked up again.
 class EnvironmentPacker::VertexPages {
  public:
   explicit VertexPages(std::size_t count) : pages_(std::max<std::size_t>(count, 1)) {}
@@ -166,7 +166,7 @@ void EnvironmentPacker::forEachFace(const Take& take) const {
   }
 }
 
-/// Goes through the places in slabs of x that fit into memory; places of one x are never divided.
+/// Processes the places in slabs of x that fit into memory; a slab border never divides places of one x.
 WeldedPlaces EnvironmentPacker::findWelds(double step) const {
   constexpr std::int64_t kLast = std::numeric_limits<std::int64_t>::max();
   GridWelder welder;
@@ -174,7 +174,7 @@ WeldedPlaces EnvironmentPacker::findWelds(double step) const {
   std::int64_t first = std::numeric_limits<std::int64_t>::min();
   while (first < kLast) {
     places.clear();
-    std::int64_t end = kLast;  // the places from `first` to `end` are kept; beyond it something was left out
+    std::int64_t end = kLast;  // the places from `first` to `end` are kept; places beyond were left out
     std::size_t most = 2 * memory_.weldedVertices;
     forEachVertex([&](const Vec3& p) {
       const GridPlace place = gridPlace(p, step);
@@ -253,7 +253,7 @@ void EnvironmentPacker::sortChunk(std::vector<Face>& chunk) {
   poll();
 }
 
-/// The runs on the disk; what fills no chunk stays in `last`, which is the only one of a small environment.
+/// Returns the runs on the disk. Faces that fill no chunk stay in `last`, which is the only run of a small environment.
 std::vector<EnvironmentPacker::Run> EnvironmentPacker::sortRuns(std::vector<Face>& last) {
   constexpr std::uint64_t kAtOnce = 4096;
   std::vector<Run> runs;

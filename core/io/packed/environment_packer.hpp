@@ -1,4 +1,4 @@
-// Making a packed environment of any size in bounded memory.
+// Packing an environment of any size in bounded memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,38 +18,37 @@
 
 namespace footfall::detail {
 
-/// What a packer may use. Tests make it small.
+/// Bounds of the packer's memory. Tests make them small.
 struct PackingMemory {
   std::size_t scratch = std::size_t{32} << 20;  ///< bytes of vertices, and as many of faces, before they go to the disk
-  std::size_t cachedPages = 1024;               ///< pages of 2,048 vertices that are looked up again
+  std::size_t cachedPages = 1024;               ///< pages of 2,048 vertices that are kept for further look-ups
   std::size_t sortedFaces = std::size_t{1} << 20;  ///< faces, of 104 bytes each, that are sorted at a time
   std::size_t merged = std::size_t{64} << 20;      ///< bytes that are read ahead of all sorted runs together
-  /// Up to so many faces are put on a grid in memory. What is split there is split nowhere else, so tests alone set
-  /// less.
+  /// The most faces that are put on a grid in memory. Tests alone set less, because splits differ beyond it.
   std::uint64_t facesOnGrid = kMostSplitTriangles;
-  std::size_t weldedVertices = std::size_t{1} << 23;  ///< of 24 bytes each, among which welding looks at a time
+  std::size_t weldedVertices = std::size_t{1} << 23;  ///< vertices, of 24 bytes each, that welding holds at a time
 };
 
-/// What was packed.
+/// Counts of a packed environment.
 struct PackedCounts {
   std::uint64_t vertices = 0, faces = 0, blocks = 0, bytes = 0;
 };
 
-/// Takes vertices and faces in the order of the file, keeps them in nameless files beside the target, sorts the faces
-/// along a Hilbert curve by merging sorted runs, and writes block by block. Memory: what PackingMemory says, about 400
-/// MB, and one bit for each vertex. Disk, until it ends: 24 bytes for each vertex, 120 for each face. The same input
-/// gives the same bytes.
+/// Takes vertices and faces in the order of the file and keeps them in nameless files beside the target. It sorts the
+/// faces along a Hilbert curve by merging sorted runs, and writes block by block. Memory: the bounds of PackingMemory,
+/// about 400 MB, and one bit for each vertex. Disk, until it ends: 24 bytes for each vertex, 120 for each face. The
+/// same input gives the same bytes.
 ///
 /// All functions throw RunError when the disk is full or cannot be written, InputError "PATH: what; what to do" for
 /// more than 4294967295 vertices or faces (PATH is the input), and Cancelled.
 class EnvironmentPacker : public MeshSink {
  public:
-  /// `target` is written by finish() and must not be the input. `context` may be null.
+  /// finish() writes `target`, which must not be the input. `context` may be null.
   EnvironmentPacker(const std::string& input, const std::string& target, RunContext* context,
                     const PackingMemory& memory = {});
   ~EnvironmentPacker() override;
 
-  /// Forgets all vertices and faces.
+  /// Removes all vertices and faces.
   void restart();
   void addVertex(const Vec3& place) override;
   [[nodiscard]] std::uint64_t vertexCount() const override { return vertexCount_; }
@@ -58,11 +57,12 @@ class EnvironmentPacker : public MeshSink {
   void addFace(const Triangle& corners, std::uint32_t part) override;
 
   /// Puts all vertices on the grid that `options` choose, as importing the file does (core/environment/
-  /// coordinate_grid.hpp), and returns it. For the end, before finish(). `up` is the axis of the frame in which
-  /// importing rounds. Reads all faces twice, and all vertices once for each PackingMemory::weldedVertices of them.
+  /// coordinate_grid.hpp), and returns the grid. It is called last before finish(). `up` is the axis of the frame in
+  /// which importing rounds. It reads all faces twice, and all vertices once for each PackingMemory::weldedVertices of
+  /// them.
   CoordinateGrid putOnGrid(const ImportOptions& options, UpAxis up, double metresPerUnit);
 
-  /// Sorts and writes. `head` says everything apart from geometry (encodeDescription()); faces have no parts where it
+  /// Sorts and writes. `head` has everything except the geometry (encodeDescription()); faces have no parts where it
   /// has none.
   PackedCounts finish(const Environment& head);
 
@@ -91,9 +91,9 @@ class EnvironmentPacker : public MeshSink {
   ScratchFile vertices_, faces_, sorted_;
   std::unique_ptr<VertexPages> pages_;
   std::uint64_t vertexCount_ = 0, faceCount_ = 0;
-  Vec3 lower_, upper_;  ///< of all vertices
+  Vec3 lower_, upper_;  ///< bounds of all vertices
   std::optional<GridRounding> rounding_;
-  UpAxis up_ = UpAxis::Z;  ///< of the rounding
+  UpAxis up_ = UpAxis::Z;  ///< axis of the rounding
 };
 
 }  // namespace footfall::detail

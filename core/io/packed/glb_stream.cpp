@@ -25,14 +25,14 @@ constexpr std::uint32_t kMagic = 0x46546C67, kJson = 0x4E4F534A, kBinary = 0x004
 constexpr std::uint64_t kLongestJson = std::uint64_t{64} << 20;
 constexpr std::uint64_t kAtOnce = 16384;  // elements of an accessor
 
-/// A file that needs what this does not know, or that is not as it should be.
+/// Thrown for an invalid file, and for one with features that this reader does not support.
 struct NotPlain {};
 
 void need(bool condition) {
   if (!condition) throw NotPlain{};
 }
 
-/// Numbers in the file: where they begin, how far apart they are.
+/// The place of numbers in the file: their start and their distance.
 struct Accessor {
   std::uint64_t offset = 0, stride = 0, count = 0, size = 0;
 };
@@ -62,7 +62,7 @@ class GlbFile {
 
   [[nodiscard]] const Json& json() const { return json_; }
 
-  /// Of each mesh, in the order of the file.
+  /// The primitives of each mesh, in the order of the file.
   [[nodiscard]] std::vector<std::vector<Primitive>> primitives() const {
     need(json_.value("extensionsRequired", Json::array()).empty() && !json_.contains("skins"));
     const Json& buffers = json_.at("buffers");
@@ -139,7 +139,7 @@ class GlbStream {
     for (const std::size_t number : scene.nodes) {
       const Json& node = file_.json().at("nodes").at(number);
       if (!node.contains("mesh")) continue;
-      need(!node.contains("extensions"));  // instances
+      need(!node.contains("extensions"));  // rejects instances
       const std::uint64_t mesh = gltfNumber(node, "mesh");
       need(mesh < primitives.size());
       for (std::size_t i = 0; i < primitives[mesh].size(); ++i)

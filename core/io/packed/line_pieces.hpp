@@ -1,4 +1,4 @@
-// The lines of a file, read piece by piece.
+// Reading the lines of a file piece by piece.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ class LinePieces {
  public:
   explicit LinePieces(const std::string& path, std::uint64_t offset = 0) : file_(path), offset_(offset) {}
 
-  /// The next line without its end; empty at the end of the file, and where a line is too long for it.
+  /// The next line without its end; empty at the end of the file, and where a line is too long.
   std::optional<std::string_view> next() {
     for (;;) {
       const std::size_t end = text_.find('\n', used_);
@@ -26,7 +26,7 @@ class LinePieces {
       if (!more()) return std::nullopt;
     }
   }
-  /// Whether nothing is left; false where a line was too long.
+  /// Returns whether the file was read to its end; false where a line was too long.
   [[nodiscard]] bool isAtEnd() const { return isAtEnd_ && used_ == text_.size(); }
   [[nodiscard]] double done() const {
     return static_cast<double>(offset_) / static_cast<double>(std::max<std::uint64_t>(file_.size(), 1));

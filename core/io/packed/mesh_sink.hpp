@@ -1,4 +1,4 @@
-// Where the readers of core/io/packed/streams.hpp put what they read: into a packer, or into an environment in memory.
+// The target of the readers of core/io/packed/streams.hpp: a packer, or an environment in memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,15 +16,15 @@ class MeshSink {
   MeshSink& operator=(const MeshSink&) = delete;
   virtual ~MeshSink() = default;
 
-  /// In the file's own frame; finite.
+  /// Adds a vertex in the file's own frame; coordinates are finite.
   virtual void addVertex(const Vec3& place) = 0;
   [[nodiscard]] virtual std::uint64_t vertexCount() const = 0;
-  /// One that was added.
+  /// Returns a vertex that was added.
   [[nodiscard]] virtual Vec3 vertex(std::uint32_t number) const = 0;
-  /// Corners may be vertices that come later. `part` is 0 where there are no parts.
+  /// Adds a face. Corners may be vertices that are added later. `part` is 0 where there are no parts.
   virtual void addFace(const Triangle& corners, std::uint32_t part) = 0;
 
-  /// The numbers of the file are floats, or were placed by matrices.
+  /// True where the numbers of the file are floats, or were placed by matrices.
   bool areFloats = false;
 };
 

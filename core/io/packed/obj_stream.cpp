@@ -13,12 +13,12 @@ namespace {
 constexpr std::size_t kPieceBytes = std::size_t{4} << 20;
 constexpr std::size_t kLongestPiece = std::size_t{64} << 20;  ///< a file with longer lines is read as a whole
 
-/// Whole statements of the file, piece by piece.
+/// Whole statements of a file, piece by piece.
 class ObjPieces {
  public:
   explicit ObjPieces(const std::string& path) : file_(path) {}
 
-  /// The next piece, up to a line end that no backslash continues; empty at the end.
+  /// The next piece, up to a line end without a backslash; empty at the end.
   std::string_view next() {
     text_.erase(0, used_);
     used_ = 0;
@@ -99,7 +99,7 @@ class ObjStream {
         context_->progress((want == Want::Faces ? 0.25 : 0) + pieces.done() * (want == Want::Everything ? 0.5 : 0.25));
       }
       rejectBinary(path_, text, before.lines);
-      if (isFirst && text.find('\n') == std::string_view::npos) return Outcome::TooLong;  // ends of another system
+      if (isFirst && text.find('\n') == std::string_view::npos) return Outcome::TooLong;  // lone carriage returns
       if (isFirst && text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
       isFirst = false;
       Environment found;

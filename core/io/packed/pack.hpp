@@ -18,10 +18,10 @@ struct PackResult {
 };
 
 /// Writes the environment of `path` (a file or a folder, as importEnvironment()) to `target` as a packed environment,
-/// beside it and renamed. Importing it gives the environment of `path`, bit by bit. OBJ, PLY, STL and binary glTF are
-/// streamed; what of them is not plain, and all other formats, are read as a whole. What the options say is packed as
-/// if the file said it. Throws InputError as importing does, RunError as writeFileSafely() does, Cancelled when
-/// `context` (may be null) was cancelled. The caller sees to it that `target` is nothing that is read.
+/// through a file beside it that is renamed. Importing it gives the environment of `path`, bit by bit. OBJ, PLY, STL
+/// and binary glTF are streamed; unusual files of these formats and all other formats are read as a whole. The options
+/// are packed as if the file declared them. Throws InputError as importing does, RunError as writeFileSafely() does,
+/// Cancelled when `context` (may be null) was cancelled. The caller makes sure that `target` is no input file.
 PackResult packEnvironment(const std::string& path, const std::string& target, const ImportOptions& options,
                            RunContext* context, const PackingMemory& memory = {});
 

@@ -15,7 +15,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr int kDeepestText = 8;
-constexpr std::size_t kMostPlaces = 9;  // of a pattern
+constexpr std::size_t kMostPlaces = 9;  // in a pattern
 
 double finite(double value) {
   if (!std::isfinite(value)) throw BadBytes("a number is not finite");
@@ -29,7 +29,7 @@ void encode(const Text& text, ByteWriter& out) {
   for (const Text& argument : text.arguments()) encode(argument, out);
 }
 
-/// Takes the first `Count` arguments, or all where there are fewer.
+/// Uses the first `Count` arguments, or all where there are fewer.
 template <std::size_t Count>
 Text decodePattern(const std::string& english, const std::vector<Text>& arguments) {
   const Pattern pattern{english.c_str()};
@@ -112,7 +112,7 @@ CoordinateGrid decodeGrid(ByteReader& in) {
 std::string fileName(const Environment& environment) {
   if (!environment.origin.empty()) return environment.origin;
   std::filesystem::path source = environment.source;
-  if (!source.has_filename()) source = source.parent_path();  // a folder
+  if (!source.has_filename()) source = source.parent_path();  // the source is a folder
   return source.filename().string();
 }
 

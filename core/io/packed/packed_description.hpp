@@ -1,4 +1,4 @@
-// What a packed environment says of itself apart from its geometry, as bytes.
+// The description of a packed environment, apart from its geometry, as bytes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace footfall::detail {
 
-/// The parts, roles, storeys, notes, what import left out, the frame and the name of the file. Of lists that count
-/// vertices or triangles, nothing.
+/// Encodes the parts, roles, storeys, notes, elements that import left out, the frame and the name of the file. Lists
+/// with an entry for each vertex or triangle are left out.
 std::string encodeDescription(const Environment& environment);
 
-/// The other way round; `source` is left empty, and Environment::origin is the name of the file that was packed. Throws
-/// std::runtime_error for bytes that are none. `version`: PackedHeader::version.
+/// Decodes a description. `source` is left empty, and Environment::origin is the name of the file that was packed.
+/// Throws std::runtime_error for invalid bytes. `version` is PackedHeader::version.
 Environment decodeDescription(std::string_view bytes, std::uint32_t version = kPackedVersion);
 
 }  // namespace footfall::detail

@@ -27,7 +27,7 @@ constexpr Pattern kPackAgain = FOOTFALL_TEXT("copy it again, or pack the origina
 
 std::array<double, 3> numbersOf(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-/// Boxes are turned as places are: exactly.
+/// A box turned exactly, as places are.
 Box turned(const Box& box, const Vec3& a, const Vec3& b) {
   Box result = box;
   const std::array<double, 3> p = numbersOf(a), q = numbersOf(b);
@@ -58,7 +58,7 @@ bool isFinite(const Box& box) {
          std::all_of(box.upper.begin(), box.upper.end(), finite);
 }
 
-/// Whether nobody has claimed that number before.
+/// Returns whether this call is the first that claims the number.
 bool claim(std::atomic<std::uint64_t>* bits, std::uint32_t number) {
   const std::uint64_t bit = std::uint64_t{1} << (number % 64);
   return (bits[number / 64].fetch_or(bit, std::memory_order_relaxed) & bit) == 0;
@@ -84,7 +84,7 @@ CoarseFace coarseFaceOf(const PackedCoarseFace& packed, const Box& box, UpAxis u
   return face;
 }
 
-/// Chosen faces of several blocks.
+/// Collects chosen faces of several blocks.
 class FaceCollector {
  public:
   void add(const BlockArrays& arrays, const BlockFace& chosen) {
@@ -130,7 +130,7 @@ class FaceCollector {
   };
   static constexpr std::size_t kPolled = 1 << 16;
 
-  // There may be millions.
+  // Sorts on all threads, because there may be millions of items.
   template <class Item>
   static void sort(std::vector<Item>& items, const Poll& poll) {
     std::size_t compared = 0;
@@ -158,10 +158,10 @@ Box boxOf(const BlockFace& face) {
   return box;
 }
 
-/// Blocks that were read last, which are often wanted again.
+/// A cache of the blocks that were read last, which are often needed again.
 class PackedEnvironment::RecentBlocks {
  public:
-  /// Null: it is not here.
+  /// Returns null where the block is not cached.
   Bytes find(std::size_t block) {
     const std::lock_guard lock(mutex_);
     const auto found = places_.find(block);
@@ -196,7 +196,7 @@ class PackedEnvironment::RecentBlocks {
     Bytes bytes;
   };
 
-  // The last one stays.
+  // Keeps the last block.
   void release() {
     while (held_ > most_ && kept_.size() > 1) {
       held_ -= kept_.front().size;
@@ -206,7 +206,7 @@ class PackedEnvironment::RecentBlocks {
   }
 
   std::mutex mutex_;
-  std::list<Kept> kept_;  ///< the one that was wanted last is the last one
+  std::list<Kept> kept_;  ///< the most recently used block is last
   std::unordered_map<std::size_t, std::list<Kept>::iterator> places_;
   std::uint64_t held_ = 0, most_ = kKeptBlocks;
 };
@@ -272,7 +272,7 @@ void PackedEnvironment::readDescription(const ImportOptions& options) {
     failDamaged();
   }
   head_.source = path_;
-  // What it says of its frame is what its file said, or what was guessed.
+  // The packed frame is the one that its source declared, or that was guessed.
   FileFrame frame;
   if (!head_.upGuessed) frame.up = head_.up;
   if (!head_.scaleGuessed) frame.metresPerUnit = head_.metresPerUnit;
@@ -346,7 +346,7 @@ void PackedEnvironment::forCoarseFaces(const std::function<void(std::size_t, con
 }
 
 BlockArrays PackedEnvironment::arraysOf(const PackedBlock& block, const Bytes& bytes) const {
-  // These are the very arrays: their offsets are multiples of what their items need.
+  // The pointers refer to the bytes directly: offsets are multiples of the items' alignments.
   const char* at = reinterpret_cast<const char*>(bytes.get());
   const auto take = [&at]<class Item>(std::span<const Item>& items, std::size_t count) {
     items = {reinterpret_cast<const Item*>(at), count};

@@ -1,4 +1,4 @@
-// Reading packed environments: opened in milliseconds at any size, and read block by block as they are needed.
+// Reading packed environments. They open in milliseconds at any size, and their blocks are read as they are needed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,39 +21,39 @@ namespace footfall::detail {
 
 /// The arrays of a block.
 struct BlockArrays {
-  std::shared_ptr<const std::uint64_t[]> owner;   ///< of what the others look at
+  std::shared_ptr<const std::uint64_t[]> owner;   ///< memory that the spans refer to
   std::span<const std::array<double, 3>> places;  ///< in the file's own frame
-  std::span<const std::uint32_t> vertices;        ///< their numbers
-  std::span<const std::uint32_t> faces;           ///< numbers
-  std::span<const std::uint32_t> parts;           ///< of the faces; empty without parts
+  std::span<const std::uint32_t> vertices;        ///< numbers of the vertices
+  std::span<const std::uint32_t> faces;           ///< numbers of the faces
+  std::span<const std::uint32_t> parts;           ///< parts of the faces; empty without parts
   std::span<const std::array<std::uint16_t, 3>> corners;
 };
 
-/// Faces of an environment with the vertices that they need, by rising numbers both.
+/// Faces of an environment with the vertices that they need, both in the order of their numbers.
 struct PackedFaces {
   TriangleSoup soup;                                      ///< Z up; indices into its own vertices
-  std::vector<std::uint32_t> vertexNumbers, faceNumbers;  ///< of the environment
+  std::vector<std::uint32_t> vertexNumbers, faceNumbers;  ///< numbers in the environment
   std::vector<std::uint32_t> partOf;                      ///< empty without parts
 };
 
-/// A face of a block, to be chosen or not.
+/// A face of a block that a caller may choose.
 struct BlockFace {
   std::size_t block = 0, place = 0;  ///< the block, and the face's place in it
-  std::uint32_t number = 0;          ///< of the environment
-  std::uint32_t part = 0;            ///< of Environment::parts; 0 without parts
+  std::uint32_t number = 0;          ///< number in the environment
+  std::uint32_t part = 0;            ///< index into Environment::parts; 0 without parts
   std::array<Vec3, 3> corners;       ///< Z up
 };
-/// The box around the corners.
+/// The box around the face's corners.
 Box boxOf(const BlockFace& face);
 
-/// Bytes of blocks that are kept.
+/// The default size of the cache of blocks, in bytes.
 inline constexpr std::uint64_t kKeptBlocks = std::uint64_t{4} << 20;
 
-/// A packed environment that is open. Blocks are checked (their check sum, and that all numbers are in range) whenever
-/// they are read: a file that is cut off or written over in place while it is open is told as damaged.
+/// An open packed environment. Blocks are checked (their check sum, and that all numbers are in range) whenever they
+/// are read, so a file that is truncated or overwritten while it is open is reported as damaged.
 ///
 /// All functions throw InputError "PATH: what; what to do" where the file is no packed environment, of another version,
-/// cut off or damaged. Any number of threads may use one object.
+/// truncated or damaged. Any number of threads may use one object.
 class PackedEnvironment {
  public:
   /// Reads the header, the description and the table of blocks.
@@ -62,21 +62,21 @@ class PackedEnvironment {
   PackedEnvironment(const PackedEnvironment&) = delete;
   PackedEnvironment& operator=(const PackedEnvironment&) = delete;
 
-  /// Everything apart from geometry, as importing has it with these options.
+  /// Everything except the geometry, as importing with these options gives it.
   [[nodiscard]] const Environment& head() const { return head_; }
   [[nodiscard]] std::uint64_t vertexCount() const { return header_.vertices; }
   [[nodiscard]] std::uint64_t faceCount() const { return header_.faces; }
   [[nodiscard]] std::span<const PackedBlock> blocks() const { return blocks_; }
-  /// By which one knows the geometry again.
+  /// The check sum that identifies the geometry.
   [[nodiscard]] const CheckSum& tableSum() const { return header_.tableSum; }
-  /// Where a block lies, Z up.
+  /// The box of a block, Z up.
   [[nodiscard]] Box boxOf(std::size_t block) const;
-  /// How many bytes of the file were read so far.
+  /// The number of bytes of the file that were read so far.
   [[nodiscard]] std::uint64_t bytesRead() const { return bytesRead_.load(std::memory_order_relaxed); }
-  /// How many blocks have been touched.
+  /// The number of blocks that were read.
   [[nodiscard]] std::size_t touchedBlocks() const;
-  /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; as many as
-  /// blocks() says of each. A file of version 1 has none.
+  /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; blocks() has
+  /// their number for each block. A file of version 1 has none.
   void forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const;
 
   /// The blocks with faces whose boxes touch this one (Z up, closed).
@@ -84,15 +84,15 @@ class PackedEnvironment {
   [[nodiscard]] BlockArrays block(std::size_t number) const;
   /// Calls visit(face) for each face of a block.
   void forFaces(std::size_t block, const std::function<void(const BlockFace&)>& visit) const;
-  /// The faces of some blocks for which `isWanted` is true.
+  /// The faces of `blocks` for which `isWanted` is true.
   [[nodiscard]] PackedFaces facesOf(std::span<const std::size_t> blocks,
                                     const std::function<bool(const BlockFace&)>& isWanted,
                                     RunContext* context = nullptr) const;
-  /// So many bytes of the blocks that were read last are kept from now on, at first kKeptBlocks.
+  /// Sets the size of the cache of blocks, at first kKeptBlocks bytes.
   void keepBlocks(std::uint64_t bytes) const;
-  /// Gives the memory of all blocks back; they are read again when they are needed.
+  /// Frees the memory of all blocks; they are read again when they are needed.
   void forgetBlocks() const;
-  /// The faces whose own boxes touch this one (Z up, closed). Touches blocksTouching() alone.
+  /// The faces whose own boxes touch this one (Z up, closed). Reads only blocksTouching().
   [[nodiscard]] PackedFaces facesTouching(const Box& box, RunContext* context = nullptr) const;
   /// The whole environment, bit by bit the one that was packed.
   [[nodiscard]] Environment readAll(RunContext* context = nullptr) const;
@@ -113,7 +113,7 @@ class PackedEnvironment {
   void readTable();
   [[nodiscard]] BlockArrays readBlock(std::size_t number) const;
   [[nodiscard]] BlockArrays arraysOf(const PackedBlock& block, const Bytes& bytes) const;
-  /// Returns what must lie where other blocks say.
+  /// Returns copies whose places other blocks must confirm.
   std::vector<Copy> fill(std::size_t number, Environment& environment, std::atomic<std::uint64_t>* vertices,
                          std::atomic<std::uint64_t>* faces) const;
   [[noreturn]] void failDamaged() const;
@@ -129,7 +129,7 @@ class PackedEnvironment {
   mutable std::atomic<std::uint64_t> bytesRead_{0};
 };
 
-/// What importing does with a packed environment.
+/// Imports a packed environment.
 Environment readPacked(const std::string& path, const ImportOptions& options, RunContext* context);
 
 }  // namespace footfall::detail

@@ -33,12 +33,12 @@ namespace footfall::detail {
 
 static_assert(std::endian::native == std::endian::little, "packed environments are read as they are");
 
-/// The line ends show what has changed them on its way.
+/// The line ends detect transfers that change them.
 inline constexpr std::string_view kPackedMagic{"FFENV\r\n\x1a", 8};
-/// To be raised with each change of the bytes; later ones are refused.
+/// The version is raised with each change of the bytes; readers refuse later versions.
 inline constexpr std::uint32_t kPackedVersion = 3;
 inline constexpr std::string_view kPackedExtension = "ffenv";
-/// Corners fit into 16 bits.
+/// Indices of corners fit into 16 bits.
 inline constexpr std::uint32_t kBlockFaces = 16384, kBlockVertices = 3 * kBlockFaces;
 inline constexpr std::uint64_t kBlockAlignment = 64;
 
@@ -55,7 +55,7 @@ struct PackedHeader {
   std::uint64_t tableOffset = 0;
   std::uint64_t descriptionOffset = 0, descriptionSize = 0;
   CheckSum descriptionSum{}, tableSum{};
-  CheckSum ownSum{};  ///< of the bytes before it
+  CheckSum ownSum{};  ///< sum of the bytes before it
   std::uint64_t unused = 0;
 };
 static_assert(sizeof(PackedHeader) == 128);
@@ -63,31 +63,31 @@ inline constexpr std::size_t kSummedHeader = 104;
 
 /// An entry of the table of blocks.
 struct PackedBlock {
-  Box box;  ///< of all its vertices, in the file's frame
+  Box box;  ///< box of all its vertices, in the file's frame
   std::uint64_t offset = 0, size = 0;
   std::uint32_t vertices = 0, ownVertices = 0, faces = 0;
-  std::uint32_t coarse = 0;  ///< coarse faces; 0 in version 1
+  std::uint32_t coarse = 0;  ///< number of coarse faces; 0 in version 1
   CheckSum sum{};
 };
 static_assert(sizeof(PackedBlock) == 96);
 
-/// Where the coarse faces of all blocks are. Its check sum is of the bytes of one block after the other.
+/// The place of all coarse faces. Its check sum covers the bytes of one block after the other.
 struct PackedCoarse {
   std::uint64_t offset = 0, size = 0;
   CheckSum sum{};
 };
 static_assert(sizeof(PackedCoarse) == 32);
 
-/// For each corner and axis a step of 65535 from the lower to the upper side of the block's box.
+/// A step among 65535 from the lower to the upper side of the block's box, for each corner and axis.
 using PackedCoarseFace = std::array<std::array<std::uint16_t, 3>, 3>;
 static_assert(sizeof(PackedCoarseFace) == 18);
 
-/// The bytes of the table and what follows it.
+/// The bytes of the table and of everything behind it.
 constexpr std::uint64_t tableSize(std::uint64_t blocks, std::uint32_t version) {
   return blocks * sizeof(PackedBlock) + (version > 1 ? sizeof(PackedCoarse) : 0);
 }
 
-/// The bytes that the arrays of a block take.
+/// The bytes of a block's arrays.
 constexpr std::uint64_t blockSize(std::uint64_t vertices, std::uint64_t faces, bool hasParts) {
   return vertices * (3 * sizeof(double) + sizeof(std::uint32_t)) +
          faces * ((hasParts ? 2 : 1) * sizeof(std::uint32_t) + 3 * sizeof(std::uint16_t));

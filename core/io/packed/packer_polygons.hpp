@@ -1,4 +1,4 @@
-// Splitting polygons whose vertices a sink has.
+// Splitting polygons whose vertices are in a sink.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,12 +13,13 @@
 
 namespace footfall::detail {
 
-/// All vertices so far, where polygons look for their corners.
+/// All vertices so far; polygons look up their corners here.
 struct PackerVertices {
   const MeshSink& sink;
 };
 
-/// As the functions of these names for a list of vertices: they go by the places of corners, and by which are the same.
+/// Overloads of the functions for a list of vertices. They compare the places of corners, and which corners are the
+/// same.
 bool triangulatePolygon(std::span<const std::uint32_t> corners, const PackerVertices& vertices,
                         std::vector<Triangle>& triangles, const Poll& poll = {});
 SkippedPolygon skippedPolygon(std::span<const std::uint32_t> corners, const PackerVertices& vertices);

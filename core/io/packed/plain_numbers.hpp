@@ -22,7 +22,8 @@ inline void splitWords(std::string_view line, std::vector<std::string_view>& wor
   }
 }
 
-/// Whether a word is digits with a sign, a point and an exponent at most, as few as nobody can read in two ways.
+/// Returns whether a word consists of digits with at most a sign, a point and an exponent, so few that it cannot be
+/// read in two ways.
 inline bool isPlainNumber(std::string_view word) {
   constexpr std::size_t kMostDigits = 18;
   const auto skip = [&word](std::string_view characters) {
@@ -54,7 +55,7 @@ inline bool readNearest(std::string_view word, double& number) {
   return std::isfinite(number);
 }
 
-/// Plain digits, nothing else.
+/// Reads a number of plain digits only.
 template <class Number>
 bool readWhole(std::string_view word, Number& number) {
   const auto read = std::from_chars(word.data(), word.data() + word.size(), number);

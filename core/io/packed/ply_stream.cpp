@@ -45,18 +45,18 @@ bool isFraction(PlyType type) { return type == PlyType::Float || type == PlyType
 struct PlyProperty {
   std::string name;
   PlyType type{};
-  std::optional<PlyType> count = std::nullopt;  ///< of a list
+  std::optional<PlyType> count = std::nullopt;  ///< type of a list's count
 };
 
 struct PlyLayout {
   bool isAscii = false, isBigEndian = false;
   std::uint64_t vertices = 0, faces = 0;
   std::vector<PlyProperty> ofVertex, ofFace;
-  std::array<std::size_t, 3> place{};  ///< which of `ofVertex` are x, y and z
+  std::array<std::size_t, 3> place{};  ///< indices of x, y and z in `ofVertex`
   std::uint64_t dataOffset = 0;
 };
 
-/// The headers that nearly all programs write; the others are left to those who know them.
+/// Reads the headers that nearly all programs write; other headers are left to Assimp.
 class PlyHeaderReader {
  public:
   std::optional<PlyLayout> read(const InputFile& file) {
@@ -135,7 +135,7 @@ class PlyHeaderReader {
   int elements_ = 0;
 };
 
-/// What binary and ASCII files have in common: vertices, and faces as numbers of vertices.
+/// Shared by binary and ASCII files: vertices, and faces as numbers of vertices.
 class PlyTarget {
  public:
   PlyTarget(const PlyLayout& layout, Environment& head, MeshSink& sink, RunContext* context)
@@ -148,7 +148,7 @@ class PlyTarget {
     sink_.addVertex({place[0], place[1], place[2]});
     return true;
   }
-  /// Corners below the number of vertices.
+  /// Adds a face whose corners are below the number of vertices.
   bool addFace(const std::vector<std::uint32_t>& corners) {
     poll();
     ++faces_;
@@ -182,12 +182,12 @@ class PlyTarget {
   std::uint64_t faces_ = 0, done_ = 0;
 };
 
-/// The bytes behind the header, a few at a time.
+/// The bytes behind the header, read in pieces.
 class BinaryPieces {
  public:
   BinaryPieces(const InputFile& file, std::uint64_t offset) : file_(file), offset_(offset) {}
 
-  /// Null where the file ends before.
+  /// Null where the file ends too early.
   const char* take(std::size_t size) {
     constexpr std::size_t kPiece = std::size_t{1} << 20;
     if (bytes_.size() - used_ < size) {

@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::size_t kHeader = 84, kFacet = 50;
 constexpr std::uint64_t kFacetsAtOnce = 16384;
-constexpr std::size_t kLongestName = 1023;  // of Assimp
+constexpr std::size_t kLongestName = 1023;  // the limit of Assimp
 
 bool addFacet(const std::array<std::array<double, 3>, 3>& corners, std::uint32_t part, MeshSink& sink) {
   const auto first = static_cast<std::uint32_t>(sink.vertexCount());
@@ -43,7 +43,7 @@ bool streamBinary(const InputFile& file, std::uint64_t facets, MeshSink& sink, R
     if (file.read(kHeader + first * kFacet, bytes.data(), count * kFacet) < count * kFacet) return false;
     for (std::size_t f = 0; f < count; ++f) {
       std::array<std::array<float, 3>, 3> stored;
-      std::memcpy(&stored, bytes.data() + f * kFacet + 3 * sizeof(float), sizeof stored);  // behind the normal
+      std::memcpy(&stored, bytes.data() + f * kFacet + 3 * sizeof(float), sizeof stored);  // stands behind the normal
       std::array<std::array<double, 3>, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) std::copy(stored[k].begin(), stored[k].end(), corners[k].begin());
       if (!addFacet(corners, 0, sink)) return false;
@@ -52,7 +52,7 @@ bool streamBinary(const InputFile& file, std::uint64_t facets, MeshSink& sink, R
   return true;
 }
 
-/// One statement in each line, as all programs write it.
+/// Reads ASCII files with one statement in each line, as all programs write them.
 class AsciiStl {
  public:
   AsciiStl(const std::string& path, Environment& head, MeshSink& sink, RunContext* context)
@@ -128,7 +128,7 @@ bool streamStl(const std::string& path, Environment& head, MeshSink& sink, RunCo
   if (file.read(0, start.data(), start.size()) == start.size()) {
     std::uint32_t facets = 0;
     std::memcpy(&facets, start.data() + kHeader - sizeof facets, sizeof facets);
-    // Assimp compares 32 bits, and misses the largest.
+    // Assimp compares 32 bits, and misses the largest files.
     const std::uint64_t size = kHeader + kFacet * std::uint64_t{facets};
     if (facets > 0 && size == file.size() && size <= 0xffffffffU) return streamBinary(file, facets, sink, context);
   }

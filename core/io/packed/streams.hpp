@@ -1,4 +1,4 @@
-// Readers that give a packer vertices and faces without holding the file or its mesh whole in memory.
+// Readers that stream vertices and faces to a packer without holding the file or its mesh whole in memory.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,12 +10,12 @@
 
 namespace footfall::detail {
 
-// Each gives what importing the file has in the file's own frame, with the same numbers for everything: vertices and
-// faces to the sink, `skipped` and `parts` to `head`. Each returns false where the file is not as plain as it needs,
-// or has an error: then it must be read as a whole, which has a message for the error. Memory is bounded, but for the
-// list of parts.
+// Each reader gives the same result as importing the file in its own frame, with the same numbers: vertices and faces
+// go to the sink, `skipped` and `parts` to `head`. Each returns false for an unusual file and for an error; the caller
+// then reads the file as a whole, which reports the error. Memory is bounded, apart from the list of parts.
 
-/// OBJ; throws InputError for errors, too, with their lines. Reads twice where a polygon comes before its vertices.
+/// OBJ. Throws InputError also for errors, with their lines. Reads the file twice where a polygon precedes its
+/// vertices.
 bool streamObj(const std::string& path, Environment& head, EnvironmentPacker& packer, RunContext* context);
 /// PLY with the elements `vertex` and `face`, binary or ASCII. Numbers in text are the nearest doubles, whatever type
 /// the file gives them.
