@@ -93,7 +93,7 @@ void BorderKinds::addCover(Index triangle) {
   covers_.push_back(cover);
 }
 
-// A wall that is not along the edge meets it in one point.
+// A wall that does not run along the edge meets it in one point.
 void BorderKinds::addWall(Index triangle) {
   const auto& f = kernel_.mesh().triangles[triangle];
   bool reachesUp = false, reachesDown = false;

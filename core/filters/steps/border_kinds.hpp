@@ -1,4 +1,4 @@
-// Walls and ledges: what stands at a border of the walkable area (design section 7).
+// Classifies the borders of the walkable area as walls and ledges (model, Walls and ledges).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,42 +11,45 @@
 
 namespace footfall::detail {
 
-/// A triangle of the environment, which is not vertical, near an edge of the border. Where its signs change is known by
-/// BorderKinds::locate().
+/// A triangle of the environment, which is not vertical, near an edge of the border. BorderKinds::locate() finds where
+/// its signs change.
 struct CoverAlong {
   Index triangle = -1;
-  std::array<SignAlong, 3> inside{};  ///< of its sides; zero where the edge lies along one of them
-  bool isOutside = true;  ///< it has an inside in the limit on the far side, where all of `inside` are positive
-  SignAlong overStep{}, underHeight{};  ///< over the border, raised by the step and by the height
+  std::array<SignAlong, 3> inside{};  ///< sides of the triangle; zero where the edge lies along one of them
+  /// the triangle reaches the far side of the edge in the limit, where all of `inside` are positive
+  bool isOutside = true;
+  /// over the border raised by the step, and under the border raised by the height
+  SignAlong overStep{}, underHeight{};
 
-  /// Some of it is over the step, and some under the height.
+  /// Returns whether some of it is over the step, and some under the height.
   [[nodiscard]] bool mayBeWall() const {
     return (overStep.begin > 0 || overStep.end > 0) && (underHeight.begin < 0 || underHeight.end < 0);
   }
-  /// The border is under or over the triangle, its outline included.
+  /// Returns whether the border is under or over the triangle, its outline included.
   [[nodiscard]] bool covers(const EdgePiece& piece) const;
 };
 
 /// A border point is at a wall when the environment reaches into the heights (z + step, z + height) straight over it or
-/// in the limit on its far side, else it is at a ledge. Single points do not count.
+/// in the limit on its far side; otherwise it is at a ledge. Single points do not count.
 ///
-/// Decided exactly, by the signs at the edge's ends; pieces end a little inside (edge_signs.hpp). Ends where an upright
-/// wall ends that stands along the edge are rounded so that the wall is not smaller.
+/// The decision is exact, by signs at the edge's ends; pieces end a little inside (edge_signs.hpp). Ends of upright
+/// walls along the edge are rounded so that the wall is not smaller.
 class BorderKinds {
  public:
-  /// `step` and `height` are levels of the kernel; a step of 0 is level 0. `removed`: for each source triangle, it is
-  /// out of the environment. All must outlive it. Not for sharing between threads.
+  /// `step` and `height` are levels of the kernel; a step of 0 is level 0. `removed` has an entry for each source
+  /// triangle, true where it is out of the environment. All arguments must outlive this object. Threads cannot share
+  /// it.
   BorderKinds(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height);
 
-  /// Turns to an edge, and looks at what is near it, from its lowest point on. Its ends must differ in the plan.
-  /// `begin` and `end` are its rounded ends, scaled.
+  /// Sets the current edge, and finds the obstacles near it from its lowest point upwards. Its ends must differ in the
+  /// plan. `begin` and `end` are its rounded ends, scaled.
   void turnTo(const BorderEdge& edge, const Vec3& begin, const Vec3& end);
 
-  // Of the edge that it turned to:
+  // The ledges of the current edge.
   [[nodiscard]] std::vector<EdgePiece> ledges() {
     return ledges([](const CoverAlong&) { return false; });
   }
-  /// The same without the covers that are left out, of which only the signs at both ends are looked at.
+  /// The ledges without the covers that are left out; only the signs of those covers at both ends are computed.
   template <class IsLeftOut>
   [[nodiscard]] std::vector<EdgePiece> ledges(const IsLeftOut& isLeftOut) {
     std::vector<std::size_t> covers;
@@ -54,11 +57,11 @@ class BorderKinds {
       if (covers_[i].mayBeWall() && !isLeftOut(covers_[i])) covers.push_back(i);
     return ledgesWithout(covers);
   }
-  /// Looks at what is near it and lower as well, from `below` (scaled, at least 0) under its lowest point on. Only for
-  /// covers(), from then on.
+  /// Also finds the obstacles that are up to `below` (scaled, at least 0) under the lowest point of the edge. They
+  /// appear in covers() only.
   void lookBelow(double below);
   [[nodiscard]] const std::vector<CoverAlong>& covers() const { return covers_; }
-  /// One of covers(), with all that its signs know.
+  /// Returns one of covers() after locating all its signs.
   const CoverAlong& locate(std::size_t cover);
   [[nodiscard]] const BorderEdge& edge() const { return edge_; }
   [[nodiscard]] const EdgeFrame& frame() const { return frame_; }
@@ -69,7 +72,7 @@ class BorderKinds {
   [[nodiscard]] double heightOf(Index level) const;
   [[nodiscard]] Index stepLevel() const { return step_; }
   [[nodiscard]] Index heightLevel() const { return height_; }
-  /// Calls visit(triangle) for what may be in a box, scaled, vertical triangles among it.
+  /// Calls visit(triangle) for all triangles that may be in a box (scaled), including vertical ones.
   template <class Visit>
   void visitNear(Box box, const Visit& visit) {
     widen(box);
@@ -79,8 +82,8 @@ class BorderKinds {
     });
   }
   [[nodiscard]] std::array<Vec3, 3> cornersOf(Index triangle) const;
-  /// No corner is higher than the border raised by a level, or lower (`sign`: 1 or -1). Exact on level floors; else it
-  /// may say no.
+  /// Returns whether no corner is higher than the border raised by a level (`sign` 1), or lower (`sign` -1). The answer
+  /// is exact on level floors; elsewhere it may be falsely negative.
   [[nodiscard]] bool isKnownBeside(Index triangle, Index level, int sign);
 
  private:
@@ -97,9 +100,9 @@ class BorderKinds {
   EdgeSigns signs_;
   BorderEdge edge_;
   EdgeFrame frame_;
-  Box near_;  ///< of the edge and what is over it
+  Box near_;  ///< box around the edge and the space over it
   std::vector<CoverAlong> covers_;
-  std::vector<EdgePiece> walls_;  ///< upright, along the edge
+  std::vector<EdgePiece> walls_;  ///< upright walls along the edge
   std::vector<std::int32_t> stack_;
 };
 

@@ -202,9 +202,9 @@ std::shared_ptr<WalkableMesh> BorderSplits::makeMesh(Poll poll) {
     result->vertices.insert(result->vertices.end(), begin,
                             begin + static_cast<std::ptrdiff_t>(std::min(kPolled, mesh_.vertices.size() - first)));
   }
-  // New vertices of each edge, in the direction of its first side and in the other one.
+  // New vertices of each edge, first in the direction of its first side, then in the other direction.
   std::vector<std::array<std::vector<Index>, 2>> inside(edges.size());
-  std::vector<EdgeVertices> on;  // of triangles that are split
+  std::vector<EdgeVertices> on;  // edges of split triangles
   std::vector<Index> slotOf(mesh_.triangles.size(), -1);
   for (std::size_t i = 0; i < edges.size(); ++i) {
     if (i % kSplitsPolled == 0) poll();

@@ -8,8 +8,8 @@
 
 namespace footfall::detail {
 
-/// applyStep(), but only between borders of faces that are chosen: one for each source triangle, or null for all. With
-/// `linksGaps` false, gaps are found for the memory that `recall` may keep, and not linked.
+/// applyStep() restricted to borders of chosen faces. `chosen` has an entry for each source triangle, or is null for
+/// all. With `linksGaps` false, gaps are not linked; they are found only for the memory that `recall` may keep.
 FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, const std::vector<char>* chosen,
                                 bool linksGaps, const Recall& recall, RunContext& context);
 

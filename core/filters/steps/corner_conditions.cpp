@@ -1,4 +1,4 @@
-// Gaps at corners of borders: what is free about the nearest places of two of them.
+// Gaps at corners of borders: free ways around the nearest places of two borders.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -9,14 +9,14 @@ namespace footfall::detail {
 namespace {
 
 constexpr double kSlack = GapConditions::kSlack;
-/// Places may be off by kSlack / 2 along a frame, so by eight times that along a border, and ways as much longer.
+/// Places may be off by kSlack / 2 along a frame, which is eight times as much along a border, and ways are longer by
+/// the same amount.
 constexpr double kSpare = 16 * kSlack;
-/// The square of the cosine of half an angle of 60 degrees: borders at a larger one come together at a corner, or run
-/// apart from there.
+/// The square of the cosine of half of 60 degrees. Borders at a larger angle meet in a corner, or diverge from one.
 constexpr double kOblique = 0.75;
-/// A direction is turned by half as much so often, and at last as little as that.
+/// The angle by which a direction is turned is halved this many times at most; the smallest angle is the last one.
 constexpr int kTurns = 20;
-constexpr double kMostTurn = 8;  // the tangent of the angle
+constexpr double kMostTurn = 8;  // tangent of the angle
 
 struct PlanDirection {
   double x = 0, y = 0;
@@ -29,10 +29,10 @@ PlanDirection unit(const PlanDirection& d) {
   return {d.x / length, d.y / length};
 }
 
-/// Of ways in a direction to the right of the first border.
+/// A frame whose ways run in a direction to the right of the first border.
 GapFrame frameAcross(const Vec3& origin, const PlanDirection& way) { return {origin.x, origin.y, -way.y, way.x}; }
 
-/// Where a border is nearest to a place: its begin (0), its end (1), or in between.
+/// The place of a border that is nearest to another place: its begin (0), its end (1), or between them.
 struct Foot {
   Vec3 place;
   int end = -1;
@@ -45,8 +45,8 @@ Foot footOn(const GapBorder& border, const Vec3& place) {
   return {{border.from.x + t * d.x, border.from.y + t * d.y, 0}, -1};
 }
 
-/// Where two borders are nearest to each other: a place of each, and whether it is the begin of its border (0), its end
-/// (1), or in between (-1).
+/// The places where two borders are nearest to each other, and whether each is the begin of its border (0), its end
+/// (1), or between them (-1).
 struct NearestPlaces {
   std::array<Vec3, 2> places;
   std::array<int, 2> ends{-1, -1};
@@ -65,18 +65,18 @@ NearestPlaces nearestPlaces(const GapBorder& first, const GapBorder& second) {
   return *best;
 }
 
-/// How far the direction from one end of a border to one of another can be turned, so that ways come to lie between
-/// both borders.
+/// The largest angle by which the direction between two ends of borders can be turned, so that ways lie between both
+/// borders.
 struct TurnLimits {
-  /// Of the angle between the border, from that end on, and the direction.
+  /// Sine and cosine of the angle between the direction and the border, from that end on.
   struct Border {
     double sine = 0, cosine = 0, length = 0;
   };
-  double distance = 0, most = 0;  ///< of the ends, and the longest way
+  double distance = 0, most = 0;  ///< distance of the ends, and longest way
   std::array<Border, 2> borders;
 
-  /// By the sines of triangles: turned by an angle with that tangent, ways begin up to `distance` times the tangent by
-  /// the divisor from the end, and are longer.
+  /// By the law of sines: when the direction is turned by an angle with this tangent, ways begin at most `distance`
+  /// times the tangent by the divisor from the end, and become longer.
   [[nodiscard]] bool allow(double tangent) const {
     const double secant = std::sqrt(1 + tangent * tangent);
     return std::all_of(borders.begin(), borders.end(), [&](const Border& border) {
@@ -102,7 +102,7 @@ std::optional<GapFrame> GapConditions::frameOf(const GapBorder& first, const Gap
   const std::optional<GapFrame> straight = frameOf(first, second);
   const PlanDirection begin = between(pieces[0].from, pieces[1].to), end = between(pieces[0].to, pieces[1].from);
   const PlanDirection both{begin.x + end.x, begin.y + end.y};
-  // Vertices of a link may be kSlack off of each other, at either end.
+  // Vertices of a link may be off by kSlack at either end.
   if (!straight || std::fabs(both.x * straight->alongX + both.y * straight->alongY) <= 2 * kSlack) return straight;
   return frameAcross(first.from, unit(both));
 }
@@ -149,11 +149,11 @@ std::vector<GapPiece> GapConditions::findAtCorner(const GapBorder& first, const 
   if (!(sineE >= kLeastSine) || !(sineF >= kLeastSine) || !(dot(e, f) >= kLeastSine * lengthE * lengthF)) return {};
   std::vector<GapPiece> pieces;
   const auto mark = [&](GapPiece& piece) {
-    piece.isAsWide = true;  // it must be proven that no way is too long
+    piece.isAsWide = true;  // a proof that no way is too long is still needed
     piece.corner = nearest.places[0];
   };
 
-  // One goes on where the other one ends: then ways in this direction meet both in no more than a point.
+  // Where one border goes on at the end of the other, ways in this direction meet each in one point at most.
   const bool isTurned = nearest.ends[0] >= 0 && nearest.ends[1] >= 0 && nearest.ends[0] == nearest.ends[1];
   if (!isTurned) {
     if (const auto near = findNear(first, second, straight, kSpare)) pieces = findFree(first, second, *near);
@@ -170,7 +170,7 @@ std::vector<GapPiece> GapConditions::findAtCorner(const GapBorder& first, const 
     return findWhole(first, second,
                      frameAcross(first.from, unit({way.x + sign * tangent * axis.x, way.y + sign * tangent * axis.y})));
   };
-  // What is blocked for the smallest one is blocked for all.
+  // A direction that is blocked at the smallest angle is blocked at all angles.
   const double smallest = std::max(std::ldexp(largest, -kTurns), 2 * kShort / distance);
   if (!(largest > smallest) || !turned(smallest)) return {};
   std::optional<GapPiece> piece;

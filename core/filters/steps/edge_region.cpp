@@ -24,7 +24,7 @@ Vec3 EdgeFrame::at(double along) const {
           begin_.z + along * (end_.z - begin_.z)};
 }
 
-// Sutherland and Hodgman, "Reentrant polygon clipping" (1974).
+// The method is that of Sutherland and Hodgman, "Reentrant polygon clipping" (1974).
 std::optional<EdgePiece> EdgeFrame::shadow(const std::array<Vec3, 3>& triangle,
                                            const std::vector<LinearFunction>& halfSpaces) const {
   std::vector<Vec3> polygon, rest;

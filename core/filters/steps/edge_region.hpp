@@ -1,4 +1,5 @@
-// What of a triangle lies in a part of space beside an edge of the border, seen along the edge; in doubles.
+// The extent, along an edge of the border, of the part of a triangle that lies in half-spaces beside the edge; in
+// doubles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// Where a linear function of the place is at least 0: x, y and z times these, and a constant.
+/// A linear function of the place, as factors of x, y and z and a constant; a half-space is where it is at least 0.
 struct LinearFunction {
   double x = 0, y = 0, z = 0, constant = 0;
   [[nodiscard]] double at(const Vec3& p) const { return x * p.x + y * p.y + z * p.z + constant; }
@@ -20,14 +21,14 @@ struct LinearFunction {
 };
 
 /// The frame of an edge: places are relative to its begin, scaled. Everything in it is rounded; `margin` is far above
-/// what that can do: 2^-40 of the largest coordinate.
+/// these errors: 2^-40 of the largest coordinate.
 class EdgeFrame {
  public:
-  /// The edge's ends, scaled, which differ in the plan, and the largest size of a scaled coordinate.
+  /// Takes the edge's ends, scaled, which differ in the plan, and the largest size of a scaled coordinate.
   EdgeFrame(const Vec3& begin, const Vec3& end, double largest);
 
   [[nodiscard]] Vec3 local(const Vec3& p) const { return {p.x - begin_.x, p.y - begin_.y, p.z - begin_.z}; }
-  [[nodiscard]] Vec3 at(double along) const;  ///< scaled, on the edge
+  [[nodiscard]] Vec3 at(double along) const;  ///< a place on the edge, scaled
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] double margin() const { return margin_; }
   /// The place along the edge, from 0 at its begin to 1 at its end.
@@ -37,8 +38,8 @@ class EdgeFrame {
   /// The height over the edge, straight across it.
   [[nodiscard]] const LinearFunction& above() const { return above_; }
 
-  /// Where along the edge a triangle is inside all half-spaces, which are widened by the margin: a closed piece that
-  /// holds all of it. Nothing where it is in none.
+  /// The piece of the edge along which a triangle is inside all half-spaces, which are widened by the margin. It is
+  /// closed and holds the exact piece. Empty where the triangle is in none of them.
   [[nodiscard]] std::optional<EdgePiece> shadow(const std::array<Vec3, 3>& triangle,
                                                 const std::vector<LinearFunction>& halfSpaces) const;
 

@@ -10,7 +10,7 @@
 namespace footfall::detail {
 namespace {
 
-// More than the nearest double of a number up to 1 is off by.
+// More than the rounding error of the nearest double of a number up to 1.
 constexpr double kMargin = 0x1p-50;
 
 IntegerView viewOf(const FixedInteger& x) { return x; }
@@ -24,9 +24,9 @@ void setZero(double zero, SignAlong& sign) {
   sign.high = zero + kMargin;
 }
 
-/// Where a linear function is zero, to the nearest double, that is value / weight at 0 and at 1. Of a line at points:
-/// with the widths of fixed_integer.hpp, value is below 2^(13D + 14) and weight below 2^(8D + 7); both products
-/// together are narrower than 21D + 23 bits, so FixedInteger holds them.
+/// The zero of a linear function that is value / weight at 0 and at 1, to the nearest double. Points and lines have the
+/// widths of fixed_integer.hpp: value is below 2^(13D + 14) and weight below 2^(8D + 7). Both products together are
+/// narrower than 21D + 23 bits, so FixedInteger holds them.
 template <class T>
 double zeroOf(const T& beginValue, const T& beginWeight, const T& endValue, const T& endWeight) {
   const T begin = beginValue * endWeight;
@@ -101,7 +101,7 @@ SignAlong EdgeSigns::leftOf(const BorderEdge& edge, const MeshVertex& from, cons
     return kernel_.orientation(from.point, to.point, p.point, origin, fallbacks);
   };
   SignAlong sign{at(edge.begin), at(edge.end)};
-  constexpr Index kBetweenVertices = -2;  // no kind of line
+  constexpr Index kBetweenVertices = -2;  // not a kind of line
   sign.line = {kBetweenVertices, std::min(name[0], name[1]), std::max(name[0], name[1]), -1};
   return sign;
 }

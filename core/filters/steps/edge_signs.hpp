@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // All decisions are exact signs at the two ends of an edge, which are exact points. Where a sign changes in between,
-// the place is computed exactly, rounded, and left out with a margin: so pieces end a little inside of what they stand
-// for. That takes far longer than the signs, and most signs are looked at no more: so it has to be asked for.
+// the place is computed exactly, rounded, and left out with a margin; pieces therefore end a little inside of their
+// exact extent. Locating a change takes far longer than the signs, and most signs are not needed further, so locate()
+// is a separate call.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace footfall::detail {
 /// An edge of the border; the walkable area is on its left.
 struct BorderEdge {
   MeshVertex begin, end;
-  Index face = -1;  ///< of the walkable area
+  Index face = -1;  ///< face of the walkable area
 };
 
 /// An open piece of an edge, from 0 at its begin to 1 at its end.
@@ -29,17 +30,17 @@ struct EdgePiece {
   [[nodiscard]] bool isEmpty() const { return !(begin < end); }
 };
 
-/// The sign of something linear at both ends of an edge; where they differ, it changes strictly between `low` and
+/// The sign of a linear function at both ends of an edge. Where the signs differ, it changes strictly between `low` and
 /// `high`, once EdgeSigns::locate() has found where.
 struct SignAlong {
   int begin = 0, end = 0;
   double low = -1, high = -1;
-  std::array<Index, 4> line{};  ///< what it is the sign of: equal ones change at the same place
+  std::array<Index, 4> line{};  ///< identifies the function: equal ones change at the same place
 
   [[nodiscard]] bool changes() const { return begin * end < 0; }
   [[nodiscard]] bool isLocated() const { return high >= 0; }
   [[nodiscard]] bool isZero() const { return begin == 0 && end == 0; }
-  /// On a piece in which it does not change; it must be located.
+  /// The sign on a piece in which it does not change; it must be located.
   [[nodiscard]] int on(const EdgePiece& piece) const {
     assert(!changes() || isLocated());
     if (changes()) return piece.middle() < low ? begin : end;
@@ -47,25 +48,25 @@ struct SignAlong {
   }
 };
 
-/// Finds signs along one edge after the other. None that it returns is located, but by locate(). Not for sharing
-/// between threads: it counts fall-backs.
+/// Computes signs along one edge after the other. It returns signs that are not located; locate() does that. Threads
+/// cannot share it, because it counts fall-backs.
 class EdgeSigns {
  public:
   explicit EdgeSigns(const PlanKernel& kernel) : kernel_(kernel) {}
 
-  /// The side of a line, taken on `face`, on which the edge is.
+  /// The side of a line, taken on `face`, on which the edge lies.
   SignAlong ofLine(const BorderEdge& edge, const PlanLine& line, Index face);
-  /// Positive on the side of the triangle, which is not vertical, of the line of its edge from corner k to k + 1.
+  /// Positive on the triangle's side of its edge from corner k to k + 1; the triangle is not vertical.
   SignAlong inside(const BorderEdge& edge, Index triangle, int k);
   /// Positive where the triangle, which is not vertical, is higher than `face` raised by a level.
   SignAlong height(const BorderEdge& edge, Index triangle, Index face, Index level) {
     return ofLine(edge, {PlanLine::Trace, triangle, level}, face);
   }
-  /// Finds where a sign changes that is not of leftOf(), if it changes and that is not known.
+  /// Finds the place where a sign changes, if it does and the place is not known. The sign must not come from leftOf().
   void locate(const BorderEdge& edge, SignAlong& sign) const;
-  /// The same for a sign of leftOf(), of the same vertices.
+  /// Finds the place for a sign of leftOf() of the same vertices.
   void locate(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to, SignAlong& sign) const;
-  /// Positive on the left of the line from one vertex to another one; lines with the same `name` are one line.
+  /// Positive on the left of the line from one vertex to another; lines with the same `name` are one line.
   SignAlong leftOf(const BorderEdge& edge, const MeshVertex& from, const MeshVertex& to,
                    const std::array<Index, 2>& name);
   /// Orientation of the edge and a source vertex in the plan.
@@ -84,13 +85,13 @@ class EdgeSigns {
 class EdgePieces {
  public:
   void clear() { zones_.clear(); }
-  /// A sign that changes must be located.
+  /// Adds a sign; one that changes must be located.
   void add(const SignAlong& sign) {
     assert(!sign.changes() || sign.isLocated());
     if (sign.changes()) zones_.push_back({sign.low, sign.high, sign.line});
   }
-  /// The pieces for which `holds(piece)`, in order. Neighbours are one where one line alone lies between them: then
-  /// there is nothing else than a point, and single points do not count.
+  /// The pieces for which `holds(piece)`, in order. Neighbours that only one line separates become one piece, because
+  /// single points do not count.
   template <class Holds>
   std::vector<EdgePiece> where(const Holds& holds) {
     std::vector<EdgePiece> pieces;
@@ -131,9 +132,9 @@ class EdgePieces {
   std::vector<Zone> zones_;
 };
 
-/// What is in both, in order; each list is in order and without overlaps.
+/// The intersection of two lists, in order; each list is in order and without overlaps.
 std::vector<EdgePiece> common(const std::vector<EdgePiece>& a, const std::vector<EdgePiece>& b);
-/// Takes closed pieces, in any order, out of open ones.
+/// Removes closed pieces, in any order, from open ones.
 std::vector<EdgePiece> without(std::vector<EdgePiece> pieces, std::vector<EdgePiece> blocked);
 
 }  // namespace footfall::detail

@@ -17,9 +17,9 @@ constexpr double kTouch = 8 * GapConditions::kUnit;
 constexpr double kWide = 16 * kTouch;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A border as a function of the place along a frame.
+/// The height and distance of a border as functions of the place along a frame.
 struct Profile {
-  double begin = 0, end = 0;  ///< along, ascending
+  double begin = 0, end = 0;  ///< along the frame, ascending
   std::array<double, 2> across{}, height{};
 
   Profile(const GapFrame& frame, const Vec3& low, const Vec3& high)
@@ -37,7 +37,8 @@ struct Profile {
   [[nodiscard]] double slope() const { return std::fabs(height[1] - height[0]) / (end - begin); }
 };
 
-/// Leaves of an interval, along which a number changes from `atLow` to `atHigh`, the part where it is not negative.
+/// Shortens an interval, along which a number changes from `atLow` to `atHigh`, to the part where the number is not
+/// negative. Returns false when nothing is left.
 bool keepPositive(std::array<double, 2>& ends, double atLow, double atHigh) {
   if (atLow < 0 && atHigh < 0) return false;
   const double zero = ends[0] + (ends[1] - ends[0]) * (atLow / (atLow - atHigh));
@@ -46,7 +47,7 @@ bool keepPositive(std::array<double, 2>& ends, double atLow, double atHigh) {
   return ends[1] - ends[0] > GapConditions::kShort;
 }
 
-/// What is left of a convex polygon where `distance` is not negative.
+/// Clips a convex polygon to the part where `distance` is not negative.
 template <class Corner, class Distance>
 void clip(std::vector<Corner>& polygon, std::vector<Corner>& room, Distance distance) {
   room.clear();
@@ -69,7 +70,7 @@ struct Profiles {
       : first(frame, e.from, e.to), second(frame, f.to, f.from) {}
   [[nodiscard]] double widthAt(double along) const { return second.acrossAt(along) - first.acrossAt(along); }
   [[nodiscard]] double riseAt(double along) const { return second.heightAt(along) - first.heightAt(along); }
-  /// What heights may be off by: places along a slope are.
+  /// The error of heights, which grows with the slope because places have errors along it.
   [[nodiscard]] double heightSlack() const { return kSlack * (1 + std::max(first.slope(), second.slope())); }
 };
 
@@ -95,7 +96,7 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
   GapPiece piece{frame, {std::max(p.first.begin, p.second.begin), std::min(p.first.end, p.second.end)}, {}};
   std::array<double, 2>& ends = piece.ends;
   if (!(ends[1] - ends[0] > kShort)) return std::nullopt;
-  // Where they are hardly apart, or end in one place, the caller decides on which side they are.
+  // Where the borders are hardly apart, or end in one place, the caller decides on which side they are.
   std::array<double, 2> room{p.widthAt(ends[0]), p.widthAt(ends[1])};
   if (std::min(room[0], room[1]) < -kTouch || std::max(room[0], room[1]) > kWide) {
     for (const int i : {0, 1}) {
@@ -118,7 +119,7 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
     return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
   }
   for (const double sign : {1.0, -1.0}) {
-    const double highest = step_ - 4 * p.heightSlack();  // so that the higher floor itself is no obstacle
+    const double highest = step_ - 4 * p.heightSlack();  // keeps the higher floor itself from being an obstacle
     if (!keepPositive(ends, highest - sign * p.riseAt(ends[0]), highest - sign * p.riseAt(ends[1])))
       return std::nullopt;
   }
@@ -130,7 +131,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   const Profiles p(frame, first, second);
   const double begin = near.ends[0], end = near.ends[1];
   const double slack = p.heightSlack();
-  // The lower of both, and the higher one; both may be either where they cross.
+  // The lower and the higher border; either may be both where they cross.
   std::vector<const Profile*> lower, higher;
   const double riseBegin = p.riseAt(begin), riseEnd = p.riseAt(end);
   if (std::min(riseBegin, riseEnd) < 0) lower.push_back(&p.second), higher.push_back(&p.first);
@@ -180,7 +181,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
           const Vec3& c = mesh_.scaled[v];
           polygon.push_back({frame.along(c.x, c.y), frame.across(c.x, c.y), c.z});
         }
-        // Linear functions, also beyond the ends.
+        // A linear function of the place, also beyond the ends.
         const auto lineAt = [&](const Profile& border, const std::array<double, 2>& values, double along) {
           return values[0] + (along - border.begin) * ((values[1] - values[0]) / (border.end - border.begin));
         };

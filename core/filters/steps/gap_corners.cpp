@@ -14,20 +14,20 @@
 namespace footfall::detail {
 namespace {
 
-/// A search ends after so many triangles on either side: then a link stays that may not be needed.
+/// A search ends after this many triangles on either side; a link may then stay although it is not needed.
 constexpr std::size_t kMostTriangles = 256;
 /// Cells are as wide as half of what is right there: what is within so much of that from a cell's middle is right there
 /// from all of the cell, whose corners are 0.354 from its middle.
 constexpr double kEverywhere = 0.64;
 constexpr double kMostCells = 0x1p30;
-/// A cell is grouped after so many searches in it, and again after twice as many each time.
+/// A square is grouped after this many searches in it, and again after twice as many each time.
 constexpr std::size_t kFirstSearches = 4;
-/// A group ends after so many triangles: others are searched for one by one.
+/// A group ends after this many triangles; further triangles are searched for one by one.
 constexpr std::size_t kMostGrouped = 2048;
 constexpr std::size_t kPolled = 1024;
 constexpr Index kEdgesPolled = 1 << 16;
 
-/// What hangs together about a place: the mesh with its steps, and its gaps that are needed anyway.
+/// The connections around a place: the mesh with its steps, and the gaps that are needed in any case.
 class Neighbourhood {
  public:
   Neighbourhood(const std::vector<StepStretch>& steps, const BorderSplits& splits, double reach, Poll poll)
@@ -54,7 +54,7 @@ class Neighbourhood {
   }
   void add(const GapStretch& gap) { add(gapWay(splits_, gap.first, gap.second, gap.piece.frame, gap.piece.ends)); }
 
-  /// True where one gets from one side to the other right there.
+  /// Returns whether an agent gets from one side to the other close to the gap.
   [[nodiscard]] bool joins(const GapStretch& gap) {
     const Vec3& place = *gap.piece.corner;
     const Index first = triangleOf(gap.first), second = triangleOf(gap.second);
@@ -84,7 +84,7 @@ class Neighbourhood {
     }
   };
 
-  /// Puts what hangs together with a triangle into a group of a cell.
+  /// Adds everything that is connected with a triangle near a square to a group of the square.
   void addGroup(Cell& cell, Index triangle, const Vec3& middle) {
     ++search_;
     std::vector<Index>& reached = reached_[0];
@@ -107,7 +107,8 @@ class Neighbourhood {
     cell.groupAt = std::move(groups);
   }
 
-  /// Searches from both sides take turns. Where one has seen all that hangs together with it, they are apart.
+  /// Searches alternately from both sides. When one side has reached everything that is connected with it, the sides
+  /// are apart.
   [[nodiscard]] bool search(Index first, Index second, const Vec3& place) {
     ++search_;
     bool isMet = false;
@@ -132,14 +133,14 @@ class Neighbourhood {
     return isMet;
   }
 
-  /// Over a part of a border to a triangle.
+  /// A way over a part of a border to a triangle.
   struct Way {
     PlanSegment part;
     Index other = -1;  ///< triangle
     Index next = -1;
   };
 
-  // For sides that are no borders.
+  // Finds the triangles beyond sides that are no borders.
   void findBeyond(Poll poll) {
     const Adjacency& topology = splits_.topology();
     const TriangleCorners corners(splits_.mesh().triangles);
@@ -158,8 +159,8 @@ class Neighbourhood {
     way.next = std::exchange(firstWay_[border], static_cast<Index>(ways_.size()));
     ways_.push_back(way);
   }
-  /// Calls visit(triangle) for those on the other side of an edge, a step or a gap that is near a place, where
-  /// isNew(triangle) holds, which costs less than to look where the edge lies.
+  /// Calls visit(triangle) for triangles on the other side of an edge, a step or a gap near a place. isNew(triangle)
+  /// must hold; it is cheaper than the distance of the edge and is tested first.
   template <class IsNew, class Visit>
   void visitNeighbours(Index triangle, const Vec3& place, double reach, const IsNew& isNew, const Visit& visit) const {
     const WalkableMesh& mesh = splits_.mesh();
@@ -180,25 +181,25 @@ class Neighbourhood {
   const BorderSplits& splits_;
   double reach_, side_;
   std::map<std::array<std::int32_t, 2>, Cell> cells_;
-  std::vector<Index> borderAt_;        ///< of sides
-  std::vector<Index> beyond_;          ///< of sides that are no borders: the triangle behind, or -1
-  std::vector<std::uint64_t> stamps_;  ///< of triangles: the last search that reached them, and from which end
+  std::vector<Index> borderAt_;        ///< by side
+  std::vector<Index> beyond_;          ///< by side: the triangle behind a side that is no border, or -1
+  std::vector<std::uint64_t> stamps_;  ///< by triangle: the last search that reached it, and from which end
   std::uint64_t search_ = 0;
   std::array<std::vector<Index>, 2> reached_;
-  std::vector<Index> firstWay_;  ///< of borders, in ways_
+  std::vector<Index> firstWay_;  ///< by border, in ways_
   std::vector<Way> ways_;
 };
 
 bool isOptional(const GapStretch& gap) { return gap.piece.corner.has_value(); }
 double lengthOf(const GapStretch& gap) { return gap.piece.ends[1] - gap.piece.ends[0]; }
 
-/// Puts numbers of gaps in the order in which they are needed: the longest first.
+/// Sorts numbers of gaps in the order in which they are needed: the longest first.
 void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretch>& gaps) {
   std::stable_sort(numbers.begin(), numbers.end(),
                    [&](std::size_t a, std::size_t b) { return lengthOf(gaps[a]) > lengthOf(gaps[b]); });
 }
 
-/// Moves the chosen gaps from one list to another one, in their order.
+/// Moves the chosen gaps from one list to another, in their order.
 void moveChosen(std::vector<GapStretch>& from, const std::vector<char>& isChosen, std::vector<GapStretch>& to) {
   std::vector<GapStretch> kept;
   for (std::size_t i = 0; i < from.size(); ++i) (isChosen[i] != 0 ? to : kept).push_back(std::move(from[i]));
@@ -231,7 +232,7 @@ void NeedlessGaps::takeFrom(std::vector<GapStretch>& gaps, const std::vector<Ste
   moveChosen(gaps, isNeedless, gaps_);
 }
 
-// Places are sorted by x, so that each part is compared with those in its range of x only.
+// Places are sorted by x, so that each part is compared only with the places in its range of x.
 std::vector<std::size_t> NeedlessGaps::findNear(const std::vector<PlanSegment>& lost, Poll poll) const {
   std::vector<std::size_t> byX(gaps_.size()), near;
   for (std::size_t i = 0; i < byX.size(); ++i) byX[i] = i;

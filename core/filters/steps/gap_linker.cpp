@@ -18,20 +18,23 @@ namespace {
 constexpr double kUnit = GapConditions::kUnit;
 constexpr double kSnap = GapConditions::kSnap;
 constexpr double kAcross = GapConditions::kAcross;
-/// Each line that cuts a border goes on so far behind it, so that rounding its ends hardly turns it.
+/// The length by which a line that cuts a border extends behind it, so that rounding its ends hardly turns it.
 constexpr double kArm = 0x1p20;
-/// Coordinates of places are below that.
+/// The bound of the coordinates of places.
 constexpr double kMostCoordinate = 0x1p36;
-/// Splits bring forth others on the borders across. Where gaps are wide beside edges, and many borders face each other
-/// at all angles, there is no end to that; what is not matched then is not linked, and counted.
+/// The limit of rounds. Splits cause further splits on the borders across. Where gaps are wide compared with edges, and
+/// many borders face each other at all angles, this does not end; parts that are not matched by then get no link, and
+/// are counted.
 constexpr int kRounds = 4;
-/// A later round makes at most as many cuts as the first one did, and so many more for each gap: where cuts bring forth
-/// more and more, time and memory still follow the gaps.
+/// A later round makes at most as many cuts as the first one, plus this number for each gap. Time and memory thus stay
+/// proportional to the gaps where cuts cause more and more cuts.
 constexpr std::size_t kCutsOfGap = 4, kFewCuts = 64;
-/// So far an end is drawn in from where an obstacle touches it: by more than GapConditions left to be compared exactly.
+/// The distance by which an end is drawn in from an obstacle that touches it. It is more than GapConditions leaves to
+/// exact comparison.
 constexpr double kDrawnIn = 4 * GapConditions::kSlack;
-/// For a first look at two borders by rounded vertices: what is taken for touching, scaled; how much longer than their
-/// errors borders are whose directions are known well enough; and a little less than the least cosine of two borders.
+/// Constants of the first comparison of two borders by rounded vertices: the distance that counts as touching, scaled;
+/// the factor by which borders must exceed their errors for their directions to be reliable; and a value a little less
+/// than the least cosine of two borders.
 constexpr double kRough = 1;
 constexpr double kLong = 0x1p12;
 constexpr double kRoughCosine = 0.12;
@@ -82,7 +85,8 @@ const GapBorder& GapLinker::lineOf(Index border) {
   return line->second;
 }
 
-// A way over a gap lies within the gap's width on the right of the first border's line, and leads no farther along it.
+// A way over a gap lies within the gap's width on the right of the first border's line, and its length along the line
+// is no larger.
 bool GapLinker::mayFace(const MeshBorder& e, const MeshBorder& f) const {
   const MeshVertex &a = splits_.vertex(e.from), &b = splits_.vertex(e.to);
   const std::array<const MeshVertex*, 2> ends{&splits_.vertex(f.to), &splits_.vertex(f.from)};
@@ -225,7 +229,7 @@ void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, d
   cuts.list.push_back(cut);
 }
 
-// The ends of all gaps, and what lies across from each vertex within one.
+// Plans cuts at the ends of all gaps, and at the places across from each vertex within a gap.
 bool GapLinker::planCuts(Cuts& cuts) {
   for (std::size_t gap = 0; gap < gaps_.size(); ++gap) {
     GapStretch& stretch = gaps_[gap];
@@ -276,8 +280,9 @@ void GapLinker::makeCuts(const std::vector<Cut>& cuts, const Spread& spread) {
   spread(changed);
 }
 
-// Whether an obstacle meets the quadrangle p[0] q[0] q[1] p[1] at nothing but points of the side from p[end] to q[end]:
-// the line of that side parts them, or the line of one of the obstacle's edges, on which neither both p nor both q lie.
+// Returns whether an obstacle meets the quadrangle p[0] q[0] q[1] p[1] in nothing but points of the side from p[end] to
+// q[end]. Then the line of that side separates them, or the line of one of the obstacle's edges, on which neither both
+// p nor both q lie.
 bool GapLinker::isOutside(Index obstacle, const Corners& p, const Corners& q, int end) {
   const PlanKernel& kernel = *splits_.kernel();
   const SourceMesh& source = kernel.mesh();
@@ -297,7 +302,7 @@ bool GapLinker::isOutside(Index obstacle, const Corners& p, const Corners& q, in
     const std::array<int, 2> onP{turn(a, b, p[0]->point), turn(a, b, p[1]->point)};
     const std::array<int, 2> onQ{turn(a, b, q[0]->point), turn(a, b, q[1]->point)};
     if ((onP[0] == 0 && onP[1] == 0) || (onQ[0] == 0 && onQ[1] == 0)) continue;
-    for (const int side : {1, -1}) {  // that of the quadrangle
+    for (const int side : {1, -1}) {  // side of the quadrangle
       if (side * source.facing[obstacle] > 0) continue;
       if (side * onP[0] >= 0 && side * onP[1] >= 0 && side * onQ[0] >= 0 && side * onQ[1] >= 0) return true;
     }
@@ -312,8 +317,8 @@ bool GapLinker::isWider(const MeshVertex& a, const MeshVertex& b) const {
   return x * x + y * y > gap * gap;
 }
 
-// Its corners are those of a convex quadrangle, or of a triangle where both borders meet at an end; all obstacles are
-// beyond it.
+// A gap is free when its corners form a convex quadrangle, or a triangle where both borders meet at an end, and all
+// obstacles are beyond it.
 GapLinker::Proof GapLinker::prove(const GapStretch& stretch) {
   const GapPiece& piece = stretch.piece;
   Corners p{}, q{};  // low and high, on the first border and on the second one
@@ -330,7 +335,7 @@ GapLinker::Proof GapLinker::prove(const GapStretch& stretch) {
   const std::array turns{turn(p[1], p[0], q[0]), turn(p[0], q[0], q[1]), turn(q[0], q[1], p[1]),
                          turn(q[1], p[1], p[0])};
   if (std::ranges::any_of(turns, [](int sign) { return sign < 0; }) || std::ranges::count(turns, 0) > 2) {
-    for (const int i : {1, 0}) {  // only where they meet, in places that are nearly one?
+    for (const int i : {1, 0}) {  // do they meet only in places that are nearly one?
       const Vec3 a = placeOf(*p[i]), b = placeOf(*q[i]);
       if (!stretch.isDrawnIn[i] && std::max(std::fabs(a.x - b.x), std::fabs(a.y - b.y)) <= 2 * kAcross)
         return {Fault::Meets, i};
@@ -350,7 +355,8 @@ bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) {
   if (proof.end < 0) return false;
   GapPiece& piece = stretch.piece;
   const int end = proof.end;
-  if (proof.fault == Fault::IsTooWide) {  // to where it is as wide as GapConditions tells apart from the gap
+  // draws the end in to where GapConditions can distinguish the width from the gap
+  if (proof.fault == Fault::IsTooWide) {
     const auto widthAt = [&](int i) {
       const Vec3 p = placeOf(*vertexAt(stretch.first, piece.frame, piece.ends[i]));
       const Vec3 q = placeOf(*vertexAt(stretch.second, piece.frame, piece.ends[i]));
@@ -398,7 +404,7 @@ void GapLinker::split(const Spread& spread) {
     makeCuts(cuts.list, spread);
     if (round == 0) most = cuts.list.size() + kCutsOfGap * open + kFewCuts;
   }
-  // An end that is still drawn in has no vertices there: such a gap is dropped.
+  // An end that is still drawn in has no vertices there, so its gap is dropped.
   while (!isDone && proveAll()) context_.checkCancelled();
   for (std::size_t gap = 0; gap < gaps_.size(); ++gap) known_[gap].chains = chainLengths(gaps_[gap]);
 }

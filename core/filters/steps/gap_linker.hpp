@@ -1,4 +1,4 @@
-// Finding where an agent steps across a gap between two borders, and giving both vertices there.
+// Finds the gaps that an agent steps across between two borders, and gives both borders vertices there.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,15 +15,15 @@
 
 namespace footfall::detail {
 
-/// Two borders, the second one to the right of the first, and the piece of the gap between them that is free.
+/// Two borders, the second one to the right of the first, and the free piece of the gap between them.
 struct GapStretch {
   Index first = -1, second = -1;
   GapPiece piece;
-  std::array<bool, 2> isDrawnIn{};  ///< its ends, from where an obstacle touched them
+  std::array<bool, 2> isDrawnIn{};  ///< ends that were drawn in from an obstacle that touched them
   bool isDropped = false;
 };
 
-/// Borders that were asked for last, one for each remainder; for one thread.
+/// A cache of borders for one thread; each remainder of the index has one entry.
 struct GapLines {
   static constexpr Index kCount = 64;
   std::array<Index, kCount> numbers;
@@ -31,46 +31,46 @@ struct GapLines {
   GapLines() { numbers.fill(-1); }
 };
 
-/// Splits the borders beside gaps so that a link is a pair of whole edges: the place across from a vertex is where a
-/// line at a right angle to the bisector of both borders meets the other one; such lines lead through places of the
-/// plan, which the kernel gets. What the cuts made of a gap is then proven: the area between its ends is free.
+/// Splits the borders beside gaps so that each link is a pair of whole edges. The place across from a vertex is where a
+/// line at a right angle to the bisector of both borders meets the other border. Such lines lead through places of the
+/// plan, which the kernel gets. Each gap between the new vertices is then proven free.
 class GapLinker {
  public:
-  /// `gap`: the widest, in environment units. `splits` must outlive this.
+  /// `gap` is the widest gap, in environment units. `splits` must outlive this object.
   GapLinker(BorderSplits& splits, double gap, RunContext& context);
 
-  /// The free pieces between two borders that are not on one line in the plan, in their order. Changes nothing: may be
-  /// called by several threads, with conditions and lines of their own.
+  /// The free pieces between two borders that are not on one line in the plan, in their order. Changes nothing; several
+  /// threads may call it with conditions and lines of their own.
   std::vector<GapStretch> find(Index first, Index second, GapConditions& conditions, GapLines& lines) const;
-  /// The same of a gap that was stepped over between two edges, and between what is left of their borders: the stretch
-  /// along which all four lie. Nothing but obstacles is asked about, and they only where there are conditions.
+  /// The free pieces of an earlier gap between two edges, on the remainders of their borders: the stretch along which
+  /// all four lie. Only obstacles are tested, and only where there are conditions.
   std::vector<GapStretch> findAgain(Index first, Index second, const std::array<GapBorder, 2>& edges,
                                     GapConditions* conditions);
-  /// An edge with its ends as exact as they are needed.
+  /// An edge with its ends as exact as this class needs them.
   [[nodiscard]] GapBorder lineOf(const MeshVertex& from, const MeshVertex& to, Index face) const;
   [[nodiscard]] const GapBorder& lineOf(Index border);
 
-  /// What to link; before split().
+  /// Adds gaps to link; called before split().
   void add(std::vector<GapStretch> stretches);
   [[nodiscard]] bool isEmpty() const { return gaps_.empty(); }
-  /// Called with the edges that got vertices.
+  /// A callback that gets the edges with new vertices.
   using Spread = std::function<void(const std::vector<Index>& changed)>;
-  /// Puts vertices on the borders until those of each gap lie across from each other. After more gaps were added, it
-  /// goes on with these, and with what their vertices change.
+  /// Adds vertices to the borders until those of each gap lie across from each other. When more gaps are added, the
+  /// next call continues with these, and with everything that their vertices change.
   void split(const Spread& spread);
-  /// Where split() led to links, in the order of the gaps.
+  /// The ways of the links that split() made, in the order of the gaps.
   [[nodiscard]] std::vector<GapWay> ways();
-  /// Both sides of the parts of gaps that were added and led to no link.
+  /// Both sides of the parts of added gaps that got no link.
   [[nodiscard]] std::vector<PlanSegment> lostParts();
-  /// The links, by the vertices of the mesh that `splits` made.
+  /// The links, as vertices of the mesh that `splits` made.
   [[nodiscard]] std::vector<MeshLink> links();
 
-  /// Pieces of gaps of which it is not known where the link ends: they are not linked.
+  /// The number of pieces of gaps whose links have no provable end; they are not linked.
   [[nodiscard]] std::size_t undecided() const { return undecided_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
-  /// A place at which an edge is to be split, and the line across it that says where.
+  /// A place at which an edge is to be split, and the line across the edge that defines it.
   struct Cut {
     Index border = -1;
     std::array<Vec3, 2> line;
@@ -78,15 +78,15 @@ class GapLinker {
   struct Cuts {
     std::size_t most = 0;
     std::vector<Cut> list;
-    std::unordered_map<Index, std::multimap<double, Vec3>> places;  ///< of each edge, by its longer coordinate
+    std::unordered_map<Index, std::multimap<double, Vec3>> places;  ///< by edge, sorted by its longer coordinate
   };
-  /// Vertices of a border, of its first one (of `from`) and up: those that lie along a part of a frame.
+  /// The vertices of a border, starting at its first (its `from`), that lie along a part of a frame.
   struct ChainPart {
     std::size_t begin = 0, end = 0;
   };
-  /// Of a gap on one of its borders, low and high.
+  /// The corners of a gap on one of its borders, low and high.
   using Corners = std::array<const MeshVertex*, 2>;
-  /// What is wrong with a gap, and at which of its ends.
+  /// The fault of a gap, and the end that has it.
   enum class Fault { None, Unknown, Overlaps, Meets, IsTouched, IsTooWide };
   struct Proof {
     Fault fault = Fault::None;
@@ -95,9 +95,9 @@ class GapLinker {
 
   [[nodiscard]] Vec3 placeOf(const MeshVertex& v) const;
   [[nodiscard]] GapBorder computeLine(Index border) const;
-  /// Whether two borders may face each other near enough, by rounded vertices. False is certain.
+  /// Returns whether two borders may face each other within the gap, by rounded vertices. False is certain.
   [[nodiscard]] bool mayFace(const MeshBorder& e, const MeshBorder& f) const;
-  /// A border's vertices, from its first one to its last, by their places; until an edge gets more of them.
+  /// The vertices of a border from its first one to its last, sorted by place, until an edge gets more vertices.
   struct Chain {
     const GapBorder& line;
     const std::vector<Vec3>& inside;
@@ -115,43 +115,43 @@ class GapLinker {
   };
   [[nodiscard]] Chain chainOf(Index border);
   [[nodiscard]] static ChainPart partOf(const Chain& chain, const GapFrame& frame, double low, double high);
-  /// The number of the vertex at a place along a frame; nothing when there is none.
+  /// The number of the vertex at a place along a frame; empty when there is none.
   [[nodiscard]] static std::optional<std::size_t> findAt(const Chain& chain, const GapFrame& frame, double along);
   /// The vertex of a border at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along);
-  /// False when they would be more than allowed.
+  /// Returns false when the cuts exceed the limit.
   [[nodiscard]] bool planCuts(Cuts& cuts);
   void planCut(GapStretch& stretch, Index border, const Chain& chain, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
-  /// Proves of all gaps what the cuts made of them; draws ends in. False when none was.
+  /// Proves all gaps with their present vertices, and draws ends in. Returns false when no end was drawn in.
   bool proveAll();
   [[nodiscard]] Proof prove(const GapStretch& stretch);
-  /// Draws in the end at which a gap failed. False when nothing is left.
+  /// Draws in the end at which the proof of a gap failed. Returns false when nothing of the gap is left.
   [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof);
   [[nodiscard]] bool isWider(const MeshVertex& a, const MeshVertex& b) const;
   [[nodiscard]] bool isOutside(Index obstacle, const Corners& p, const Corners& q, int end);
   /// Calls visit(i, j) for each link of a gap: from vertex i - 1 of the first border to i, and from j to j + 1 of the
-  /// second one. Returns how many pairs of vertices that lie across from each other have unpaired ones between them.
+  /// second one. Returns the number of pairs of opposite vertices that have unpaired vertices between them.
   template <class Visit>
   std::size_t visitLinks(const GapStretch& stretch, const Visit& visit);
   /// The parts of a gap that have links, along its frame, ascending.
   [[nodiscard]] std::vector<std::array<double, 2>> linkedParts(const GapStretch& stretch);
   void addLinks(const GapStretch& stretch, std::vector<MeshLink>& links);
   [[nodiscard]] std::array<std::size_t, 2> chainLengths(const GapStretch& stretch) const;
-  /// True where nothing about a gap has changed since split() ended.
+  /// Returns whether nothing of a gap has changed since split() ended.
   [[nodiscard]] bool isSettled(std::size_t gap) const { return chainLengths(gaps_[gap]) == known_[gap].chains; }
 
   BorderSplits& splits_;
   RunContext& context_;
   double gap_ = 0;
-  std::unordered_map<Index, GapBorder> lines_;           ///< of borders that were asked for
-  std::unordered_map<Index, std::vector<Vec3>> places_;  ///< of the new vertices of edges
+  std::unordered_map<Index, GapBorder> lines_;           ///< lines of borders that were computed
+  std::unordered_map<Index, std::vector<Vec3>> places_;  ///< new vertices of edges
   struct Known {
-    std::array<double, 2> ends;           ///< where the gap ended when it was added
-    std::array<std::size_t, 2> chains{};  ///< vertices of its borders when split() ended
+    std::array<double, 2> ends;           ///< ends of the gap when it was added
+    std::array<std::size_t, 2> chains{};  ///< number of vertices of its borders when split() ended
   };
   std::vector<GapStretch> gaps_;
-  std::vector<Known> known_;  ///< of gaps_
+  std::vector<Known> known_;  ///< entries for gaps_
   ExactFallbacks fallbacks_;
   std::size_t undecided_ = 0;
 };

@@ -1,4 +1,4 @@
-// Links over gaps: pairs of vertices across from each other, and where there are none.
+// Links over gaps between pairs of opposite vertices, and the parts without a link.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,8 @@ constexpr double kAcross = GapConditions::kAcross;
 
 }  // namespace
 
-// Of the vertices within the gap, those that lie across from each other are paired; between two such pairs without
-// another vertex there is a link.
+// Pairs those vertices within the gap that lie across from each other. There is a link between two such pairs without
+// another vertex between them.
 template <class Visit>
 std::size_t GapLinker::visitLinks(const GapStretch& stretch, const Visit& visit) {
   struct Place {
@@ -99,7 +99,7 @@ std::vector<PlanSegment> GapLinker::lostParts() {
   return lost;
 }
 
-// Both in their own directions.
+// Both borders are in their own directions.
 void GapLinker::addLinks(const GapStretch& stretch, std::vector<MeshLink>& links) {
   const MeshBorder &first = splits_.border(stretch.first), &second = splits_.border(stretch.second);
   undecided_ += visitLinks(stretch, [&](std::size_t i, std::size_t j) {

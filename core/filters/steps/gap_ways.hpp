@@ -1,4 +1,4 @@
-// Ways from one border to another over a part of each, and the parts that are left without a way.
+// Ways from one border to another over a part of each, and the parts without a way.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,7 +23,7 @@ struct PlanSegment {
 };
 inline PlanSegment planSegment(const MeshVertex& a, const MeshVertex& b) { return {a.x, a.y, b.x, b.y}; }
 
-/// Two borders, and the part of each from which one gets to the other.
+/// Two borders, and the part of each between which an agent steps.
 struct GapWay {
   Index first = -1, second = -1;
   std::array<PlanSegment, 2> parts;

@@ -1,4 +1,4 @@
-// Links of a walkable mesh that a filter makes anew: what is left of their borders stays linked.
+// Links of a walkable mesh that a filter makes anew: the remaining parts of their borders stay linked.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,17 +12,19 @@
 
 namespace footfall::detail {
 
-/// A product's link in a mesh with the same numbers.
+/// The link of a product in a mesh with the same numbers.
 MeshLink linkOf(const StepLink& link);
 
-/// A product as the mesh with which a generation starts, each of its triangles a face: `faces` has their numbers, and
-/// the first vertices of the generation's soup are the product's. `error` is that of scaled source coordinates.
+/// Makes the mesh with which a generation starts from a product, each of whose triangles is a face. `faces` has the
+/// numbers of the faces, and the first vertices of the generation's soup are the product's. `error` is that of scaled
+/// source coordinates.
 std::shared_ptr<WalkableMesh> floorsOf(const NavigationMesh& product, const SourceMesh& source,
                                        const std::vector<Index>& faces, double error);
 
-/// The state, which has a mesh, with the links of `earlier` where both borders are still there: a filter that takes
-/// walkable area away takes its links along. `earlier` is made of points of the state's kernel. Where `isAsked`, the
-/// state's clearance is larger than when it was linked, or obstacles moved: what is in the way then parts a link.
+/// Returns the state, which has a mesh, with the links of `earlier` whose borders both still exist; a filter that
+/// removes walkable area removes its links as well. `earlier` consists of points of the state's kernel. `isAsked` is
+/// true where the state's clearance is larger than when it was linked, or where obstacles moved; new obstacles then
+/// divide links.
 StatePtr withLinks(const StatePtr& state, const WalkableMesh& earlier, bool isAsked, RunContext& context,
                    ExactFallbacks& fallbacks);
 

@@ -13,10 +13,10 @@
 namespace footfall::detail {
 namespace {
 
-/// Walls are grouped by looking at all edges before. Where there are more, each wall is judged by itself, then all
-/// together piece by piece.
+/// Walls are grouped by comparing all edges. Where there are more edges than this, each wall is judged alone first, and
+/// then all walls together piece by piece.
 constexpr std::size_t kMostGroupEdges = 64;
-/// Corners of walls are looked for among so many of those before.
+/// Corners of walls are looked up among this many earlier corners.
 constexpr Index kMostKnownCorners = 32;
 
 }  // namespace
@@ -106,7 +106,7 @@ std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch&
   return pieces;
 }
 
-// Of the tree's boxes, which may be larger; nothing that counts is missed.
+// Obstacles are found by the tree's boxes, which may be larger than the obstacles; nothing that counts is missed.
 bool StepConditions::listObstacles(const SharedStretch& stretch, MeshGeometry& geometry) {
   covers_.clear();
   walls_.clear();
@@ -216,7 +216,7 @@ bool StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshG
   for (int k = 0; k < 3; ++k) {
     const Index first = corners[k], second = corners[next(k)];
     const int order = compareAlong(stretch, corners_[first].place, corners_[second].place, geometry);
-    if (order == 0) continue;  // the other two span the same
+    if (order == 0) continue;  // the other two corners span the same
     WallEdge& edge = wall.edges[wall.edgeCount++];
     edge.begin = order < 0 ? first : second;
     edge.end = order < 0 ? second : first;
@@ -226,7 +226,8 @@ bool StepConditions::addWall(const SharedStretch& stretch, Index triangle, MeshG
   return true;
 }
 
-// Linear functions that are nowhere negative at either end of the stretch, and positive at one, are positive between.
+// Linear functions that are nowhere negative at either end of the stretch, and positive at one, are positive between
+// the ends.
 bool StepConditions::isBlockedThroughoutBy(const Cover& cover) const {
   const auto& [overFirst, overSecond] = cover.heights;
   if (!overFirst[0].isPositive() && !overSecond[0].isPositive()) return false;
@@ -235,10 +236,10 @@ bool StepConditions::isBlockedThroughoutBy(const Cover& cover) const {
                      [](const StretchSign& edge) { return edge.begin >= 0 && edge.end >= 0; });
 }
 
-// Over each place, a wall fills an interval of heights, and walls with an edge in common there fill one together. Where
-// that one begins below the highest place that must be free and ends above the lowest one, one of the walls does so as
-// well, as the former is above the latter: or else all walls were either below or above what must be free, and two that
-// have a point in common were of both kinds.
+// Over each place, a wall fills an interval of heights, and walls that share an edge there fill one interval together.
+// If that interval begins below the highest place that must be free and ends above the lowest one, one of the walls
+// does so as well, because the former place is above the latter. Otherwise each wall would be either below or above the
+// heights that must be free, and two walls with a common point would be of both kinds.
 bool StepConditions::isBlockedThroughoutByWalls() {
   const Wall& wall = walls_.back();
   WallGroup own;
@@ -336,7 +337,7 @@ void StepConditions::addCrossing(const SharedStretch& stretch, const StretchSign
   if (lines_.empty()) lines_ = lines();
   for (const auto& [line, face] : lines_) {
     const bool isOwnTrace = line.kind == PlanLine::Trace;
-    if (isTrace && isOwnTrace && face != sign.sign.face) continue;  // a crossing knows one face
+    if (isTrace && isOwnTrace && face != sign.sign.face) continue;  // a crossing is tied to one face
     const Index taken = isTrace ? sign.sign.face : isOwnTrace ? face : -1;
     breaks_.push_back(liftedVertex(kernel_, stretch.faces[0], PlanPoint::crossing(line, other, taken)));
     return;

@@ -20,7 +20,7 @@ using Bounds = BoxTree<3>::Bounds;
 constexpr Index kBordersPerTask = 64;
 constexpr Index kDirectionsPerTask = 8192;
 constexpr std::size_t kPolled = 1024;
-/// So often ways over gaps that were left out are added where others could not be proven.
+/// The most times that left-out ways over gaps are added where other ways could not be proven.
 constexpr int kMostRetries = 8;
 
 }  // namespace
@@ -58,7 +58,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::link(double step, double height,
   undecided_ += found.undecided.size();
   stretches_ = std::move(found.stretches);
   if (gaps_) gaps_->add(std::move(found.gaps));
-  std::unordered_map<Index, Index> borderOf;  // by its side
+  std::unordered_map<Index, Index> borderOf;  // by side
   for (std::size_t i = 0; i < splits_.borders().size() && !mesh.links.empty(); ++i)
     borderOf[splits_.borders()[i].side] = static_cast<Index>(i);
   for (const MeshLink& link : mesh.links) {
@@ -105,7 +105,7 @@ StepLinker::Direction StepLinker::directionOf(const MeshBorder& border) const {
   return {b.x - a.x, b.y - a.y, (a.error + b.error + size * 0x1p-51) * 2};
 }
 
-// The product of both is off by at most |d| e' + |d'| e + 2 e e' and its own roundings.
+// The error of the product is at most |d| e' + |d'| e + 2 e e' and its own roundings.
 bool StepLinker::mayBeOpposite(Index first, Index second) const {
   const Direction &d = directions_[first], &e = directions_[second];
   const double size = std::fabs(d.x) + std::fabs(d.y), other = std::fabs(e.x) + std::fabs(e.y);
@@ -160,7 +160,7 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
       const Index i = splits_.tree().idAt(place);
       if (isKnown(i)) continue;
       splits_.tree().visitOverlapping(queryFor(i), [&](Index other) {
-        // What is known does not look for others.
+        // Known borders do not search for others.
         if (other != i && (other > i || isKnown(other))) tryBoth(i, other);
       });
     }
@@ -190,7 +190,7 @@ bool StepLinker::tryPair(Index first, Index second, Worker& worker) const {
   if (axis < 0) return true;
   const auto compare = [&](Index a, Index b) { return geometry.compare(a, b, axis); };
   const int direction = compare(e.to, e.from);
-  if (compare(f.to, f.from) != -direction) return true;  // walkable sides on the same side
+  if (compare(f.to, f.from) != -direction) return true;  // the walkable sides are the same
   const Index begin = direction * compare(e.from, f.to) >= 0 ? e.from : f.to;
   const Index end = direction * compare(e.to, f.from) <= 0 ? e.to : f.from;
   if (direction * compare(begin, end) >= 0) return true;
@@ -221,7 +221,7 @@ void StepLinker::addFree(const Stretch& whole, int axis, int direction, Worker& 
     worker.found.stretches.push_back({whole.first, whole.second, from, to});
 }
 
-// Borders on the line of the earlier one, at its height.
+// The borders on the line of the earlier one, at its height.
 std::vector<Index> StepLinker::remainsOf(const WalkableMesh& earlier, const MeshBorder& old) {
   const PlanKernel& kernel = *splits_.kernel();
   const MeshVertex &a = earlier.vertices[old.from], &b = earlier.vertices[old.to];
@@ -272,7 +272,7 @@ void StepLinker::addRemains(const WalkableMesh& earlier, const MeshBorder& from,
     }
 }
 
-// Where they are still there, the vertices of the link are those that it had.
+// Where both borders still exist, the link keeps its vertices.
 void StepLinker::addGap(Index first, Index second, const WalkableMesh& earlier, const std::array<MeshBorder, 2>& edges,
                         Worker* worker) {
   std::array<GapBorder, 2> lines;
@@ -285,8 +285,8 @@ void StepLinker::addGap(Index first, Index second, const WalkableMesh& earlier, 
   gaps_->add(std::move(found));
 }
 
-// Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No
-// place comes in that was not there: so it ends.
+// Both borders of a stretch end with it, and get all vertices that either has inside it, until nothing changes. No new
+// places arise, so this ends.
 void StepLinker::splitAtSteps() {
   std::vector<Index> changed;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
@@ -302,8 +302,8 @@ void StepLinker::splitAtSteps() {
   spreadSplits(changed);
 }
 
-// Each round adds gaps that were left out, and none is added twice: so it ends. Those that are still needed after the
-// last round count as undecided.
+// Each round adds gaps that were left out, and adds none twice, so this ends. Gaps that are still needed after the last
+// round count as undecided.
 void StepLinker::splitAtGaps() {
   const auto split = [&] { gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); }); };
   split();
@@ -322,7 +322,7 @@ void StepLinker::splitAtGaps() {
   needless_.reset();
 }
 
-// From edges that got vertices to all that must have them, too.
+// Spreads vertices from edges that got some to all edges that must have them too.
 void StepLinker::spreadSplits(const std::vector<Index>& changed) {
   std::vector<Index> open;
   std::unordered_set<Index> isOpen;
@@ -349,7 +349,7 @@ void StepLinker::spreadSplits(const std::vector<Index>& changed) {
 }
 
 void StepLinker::addStepLinks(std::vector<MeshLink>& links) {
-  // The vertices of a border from one place to another, in its own direction.
+  // The vertices of a border between two places, in its own direction.
   const auto chainOf = [&](const MeshBorder& border, const MeshVertex& a, const MeshVertex& b) {
     MeshGeometry& geometry = splits_.geometry();
     const int axis = BorderSplits::axisBetween(a, b, geometry), direction = geometry.compare(b, a, axis);
@@ -397,7 +397,7 @@ std::shared_ptr<const WalkableMesh> StepLinker::makeMesh() {
     fallbacks_ += gaps_->fallbacks();
   }
   sortOnce(result->links);
-  splits_.replaceKernel(splits_.kernel());  // counts what its geometry fell back on
+  splits_.replaceKernel(splits_.kernel());  // collects the fall-backs that its geometry has counted
   fallbacks_ += splits_.fallbacks();
   return result;
 }

@@ -20,11 +20,11 @@ std::size_t bytesOf(const StepMemory& memory) {
   return bytes;
 }
 
-// What one border finds with another one follows from both, from the lines that cut their faces where none of their own
-// is known, and from what stands near them. Numbers rise, so that every choice by the smaller one stays what it was.
+// The result between two borders depends on both, on the lines that cut their faces where none of their own is known,
+// and on the obstacles near them. Numbers ascend, so that every choice by the smaller number is the same as before.
 void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
   if (!earlier.sameHeights() || before.given->triangles.empty()) return;
-  // Gaps are kept as scaled doubles, and what doubles know of a place depends on the slack.
+  // Gaps are kept as scaled doubles, whose precision depends on the slack.
   const PlanKernel &then = *earlier.state().kernel, &now = *splits_.kernel();
   if (then.mesh().grid.scaleExponent() != now.mesh().grid.scaleExponent() || then.sign().slack != now.sign().slack)
     return;
@@ -38,7 +38,7 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     for (int k = 0; k < 3; ++k) {
       box.lower[k] = std::ldexp(own.lower[k], unscale) - (k < 2 ? before.gap : before.step);
       box.upper[k] = std::ldexp(own.upper[k], unscale) + (k < 2 ? before.gap : before.step + before.height);
-      // Far more than these sums are off by, and what gaps take for touching.
+      // Far more than the errors of these sums, and than the distance that counts as touching for gaps.
       const double margin = std::max(std::fabs(box.lower[k]), std::fabs(box.upper[k])) * 0x1p-30;
       box.lower[k] -= margin;
       box.upper[k] += margin;
@@ -63,7 +63,7 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     const Index number = triangle < 0 ? -1 : borderAt[3 * triangle + border.side % 3];
     if (number < 0 || isTouched(border)) continue;
     if (!hasSameLines(border.face) && splits_.ownLinesOf(border, splits_.geometry()).empty()) continue;
-    // The first of two borders stays the first: one that has overtaken another is tried again.
+    // The first of two borders must stay the first; a border that has overtaken another is tried again.
     if (number < last) continue;
     last = number;
     numberBefore_[i] = number;
