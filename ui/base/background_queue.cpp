@@ -13,11 +13,12 @@
 namespace footfall::ui {
 namespace {
 
-// A third of the window's share where both want the same processor. Threads that this one starts inherit it.
+// Lowers the priority of this thread, so that it gets a third of the window's share where both need the same processor.
+// Threads that it starts inherit the priority.
 void giveWayToTheWindow() {
 #ifdef __linux__
   constexpr int kNicer = 5;
-  const auto self = static_cast<id_t>(gettid());  // on Linux, threads have priorities of their own
+  const auto self = static_cast<id_t>(gettid());  // Linux has a priority for each thread
   setpriority(PRIO_PROCESS, self, getpriority(PRIO_PROCESS, self) + kNicer);
 #endif
 }
@@ -49,14 +50,14 @@ void BackgroundQueue::work(const std::stop_token& stop) {
     std::function<void()> job;
     {
       std::unique_lock lock(mutex_);
-      if (!wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) return;  // stopped, and nothing is left
+      if (!wake_.wait(lock, stop, [this] { return !jobs_.empty(); })) return;  // the queue was stopped and is empty
       job = std::move(jobs_.front());
       jobs_.pop_front();
     }
     try {
       job();
     } catch (const std::exception& error) {
-      // It should have told this itself; the program and the jobs behind it go on.
+      // The job should have reported this itself; the program and the next jobs go on.
       std::fprintf(stderr, "footfall-editor: a job in the background ended early (%s)\n", error.what());
     }
   }

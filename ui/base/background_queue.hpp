@@ -1,4 +1,4 @@
-// One background thread that does jobs one after the other.
+// A background thread that runs jobs one after the other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,9 +10,10 @@
 
 namespace footfall::ui {
 
-/// Its thread, and the workers that it starts, give way to the window's where the system can tell threads apart: the
-/// picture of software OpenGL is made on the same processors. post() never waits. The destructor waits for the job
-/// under way (cancel it first) and then drops the jobs that have not begun, or does them too. Jobs must not throw.
+/// The thread, and the workers that it starts, have a lower priority than the window's thread where the system has
+/// priorities for threads, because software OpenGL draws on the same processors. post() never waits. The destructor
+/// waits for the running job (cancel it first), and then drops the jobs that have not begun, or runs them as well. Jobs
+/// must not throw.
 class BackgroundQueue {
  public:
   enum class AtEnd { DropJobs, FinishJobs };
@@ -31,7 +32,7 @@ class BackgroundQueue {
   std::mutex mutex_;
   std::condition_variable_any wake_;
   std::deque<std::function<void()>> jobs_;
-  std::jthread thread_;  // last: it uses the others
+  std::jthread thread_;  // declared last, because it uses the others
 };
 
 }  // namespace footfall::ui

@@ -15,7 +15,7 @@ CommandBar::CommandBar(const QString& title, const QString& name, QWidget* paren
 
 int CommandBar::widthWith(Qt::ToolButtonStyle style) {
   if (toolButtonStyle() != style) setToolButtonStyle(style);
-  // An icon without a text has to be found by its tool tip; a text without an icon stays a text.
+  // A button with an icon only needs its tool tip; a text without an icon stays a text.
   for (auto* button : findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
     if (button->icon().isNull() && !button->text().isEmpty()) button->setToolButtonStyle(Qt::ToolButtonTextOnly);
   }

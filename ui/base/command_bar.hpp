@@ -1,4 +1,4 @@
-// A tool bar whose texts go before its buttons do.
+// A tool bar that drops the texts of its buttons before it drops buttons.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,16 +6,16 @@
 
 namespace footfall::ui {
 
-/// Icons with texts beside them. shareWidth() takes the texts away where bars would not fit; what does not fit even so
-/// is behind the arrow at the end.
+/// Shows icons with texts beside them. shareWidth() removes the texts where bars would not fit; buttons that do not fit
+/// even then are behind the arrow at the end.
 class CommandBar : public QToolBar {
   Q_OBJECT
 
  public:
   CommandBar(const QString& title, const QString& name, QWidget* parent);
 
-  /// Bars that stand in one row of `width`: the last ones lose their texts first. Returns the width that they need even
-  /// so.
+  /// Fits bars that stand in one row of `width`: the last bars lose their texts first. Returns the width that the bars
+  /// then need.
   static int shareWidth(const QList<CommandBar*>& bars, int width);
 
  private:

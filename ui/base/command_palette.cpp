@@ -23,7 +23,7 @@ constexpr int kWidth = 620;
 constexpr int kRows = 12;
 constexpr qsizetype kMostShown = 200;
 
-/// Title with the found letters in bold, what it belongs to in grey, the keys at the right.
+/// Draws an entry: its title with the matched letters in bold, its detail in grey, and the keys at the right.
 class EntryDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -87,7 +87,8 @@ class EntryDelegate : public QStyledItemDelegate {
   }
 };
 
-// Whether a word of the text begins with `word`, which has some letters: fewer begin words of too many texts.
+// Returns whether a word of the text begins with `word`, which needs some letters: shorter words begin words of too
+// many texts.
 bool beginsWordOf(const QString& text, const QString& word) {
   constexpr int kFewest = 4;
   const QString letters = word.trimmed();
@@ -108,7 +109,7 @@ QString plainText(const QString& menuText) {
   return text.replace(QLatin1Char('\n'), QLatin1Char('&'));
 }
 
-// Panels come last: one that has the name of its tool must not be found before the tool.
+// Panels come last, so that a tool is found before the panel of the same name.
 std::vector<PaletteEntry> commandEntries(const CommandRegistry& commands) {
   std::vector<CommandRegistry::Entry> ordered = commands.entries();
   std::ranges::stable_partition(ordered, [](const CommandRegistry::Entry& entry) {
@@ -153,7 +154,7 @@ CommandPalette::CommandPalette(QWidget* parent) : QDialog(parent, Qt::Dialog | Q
   list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   list_->setUniformItemSizes(true);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  list_->setFocusPolicy(Qt::NoFocus);  // the field keeps the keys and moves the mark
+  list_->setFocusPolicy(Qt::NoFocus);  // the field keeps the focus and moves the selection
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(8, 8, 8, 8);
   layout->addWidget(field_);
@@ -189,10 +190,10 @@ void CommandPalette::showMatches() {
     std::optional<FuzzyMatch> match = fuzzyMatch(field_->text(), entries_[i].title);
     if (!match) {
       match = fuzzyMatch(field_->text(), entries_[i].title + QLatin1Char(' ') + entries_[i].detail);
-      // The letters of the detail are not drawn in bold, and count less.
+      // The letters of the detail are not drawn in bold, and score less.
       if (match) match = FuzzyMatch{match->score / 2, {}};
     }
-    // A word of the help says more than letters that are strewn over a title.
+    // A word of the help scores more than letters that are scattered over a title.
     const int inHelp = beginsWordOf(entries_[i].help, field_->text()) ? wholeWord / 2 : 0;
     if (inHelp > (match ? match->score : 0)) match = FuzzyMatch{inHelp, {}};
     if (match) found.push_back({i, *match});
@@ -215,7 +216,7 @@ void CommandPalette::showMatches() {
     item->setData(positions, PositionsRole);
     item->setToolTip(entry.help);
     item->setAccessibleText(entry.enabled ? entry.title : tr("%1, not available now").arg(entry.title));
-    // Selectable also when it cannot be done: the mark walks over all rows.
+    // Disabled entries can be selected too, because the selection moves over all rows.
     item->setFlags(entry.enabled ? Qt::ItemIsSelectable | Qt::ItemIsEnabled : Qt::ItemIsSelectable);
     model_->appendRow(item);
   }
@@ -240,7 +241,7 @@ void CommandPalette::moveMark(int rows) {
   const int count = model_->rowCount();
   if (count == 0) return;
   const int at = list_->currentIndex().isValid() ? list_->currentIndex().row() : 0;
-  // One step beyond an end comes in at the other; a page stops there.
+  // One step beyond an end wraps around; a page stops at the end.
   const int next = std::abs(rows) == 1 ? (at + rows + count) % count : std::clamp(at + rows, 0, count - 1);
   list_->setCurrentIndex(model_->index(next, 0));
 }

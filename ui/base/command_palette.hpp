@@ -1,4 +1,4 @@
-// Ctrl+K: everything that can be done, found by a few letters.
+// The command palette (Ctrl+K): finds every command by a few letters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,17 +15,17 @@ namespace footfall::ui {
 class CommandRegistry;
 
 struct PaletteEntry {
-  QString title;     ///< what is searched first
-  QString detail;    ///< where it comes from, in grey behind the title; searched too
-  QString shortcut;  ///< at the right
+  QString title;     ///< searched first
+  QString detail;    ///< where the entry belongs, in grey behind the title; searched too
+  QString shortcut;  ///< shown at the right
   QIcon icon;
-  bool enabled = true;  ///< else it says so and does nothing
+  bool enabled = true;  ///< a disabled entry is shown in grey and does nothing
   QString help;         ///< tool tip
   std::function<void()> run;
 };
 
-/// Sources are asked whenever the palette opens. Enter, or a click, does the marked entry, once the palette is closed;
-/// Up, Down, Page Up and Page Down move the mark while one types; Esc closes.
+/// Sources are called whenever the palette opens. Enter or a click closes the palette and runs the selected entry; Up,
+/// Down, Page Up and Page Down move the selection while the user types; Esc closes.
 class CommandPalette : public QDialog {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class CommandPalette : public QDialog {
   explicit CommandPalette(QWidget* parent);
 
   void addSource(Source source) { sources_.push_back(std::move(source)); }
-  /// Over the upper middle of the parent.
+  /// Opens over the upper middle of the parent.
   void openUp();
 
   [[nodiscard]] QLineEdit* field() const { return field_; }
@@ -58,10 +58,10 @@ class CommandPalette : public QDialog {
   QStandardItemModel* model_;
 };
 
-/// The commands of a registry as entries: titles without mnemonics, with where they are in the menus.
+/// The commands of a registry as entries: titles without mnemonics, with their place in the menus.
 std::vector<PaletteEntry> commandEntries(const CommandRegistry& commands);
 
-/// "Open..." for "&Open...": a menu's text without its mnemonic.
+/// The text of a menu without its mnemonic: "Open..." for "&Open...".
 QString plainText(const QString& menuText);
 
 }  // namespace footfall::ui

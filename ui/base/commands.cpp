@@ -51,7 +51,7 @@ QAction* CommandRegistry::registerAction(QAction* action, const Command& command
   return action;
 }
 
-// Behind the last one of its group, or at the end as a group of its own.
+// Inserts the entry behind the last one of its group, or at the end as a group of its own.
 void CommandRegistry::place(const Entry& entry) {
   const auto found = menus_.find(entry.command.menu);
   if (found == menus_.end()) return;
@@ -64,7 +64,7 @@ void CommandRegistry::place(const Entry& entry) {
   menu->insertAction(before, entry.action);
 }
 
-// What stands behind the group of `entry` in `menu`; null: nothing does.
+// The action behind the group of `entry` in `menu`; null when the group is last.
 QAction* CommandRegistry::nextOfGroup(const QMenu* menu, const Entry& entry, bool* grouped) const {
   const QList<QAction*> there = menu->actions();
   QAction* next = nullptr;
@@ -72,7 +72,7 @@ QAction* CommandRegistry::nextOfGroup(const QMenu* menu, const Entry& entry, boo
     if (other.command.menu != entry.command.menu || other.command.group != entry.command.group) continue;
     QAction* shown = other.action;
     if (!there.contains(shown)) {
-      // A group of a submenu stands in the menu as that submenu.
+      // A group with a submenu stands in the menu as that submenu.
       const auto sub = std::ranges::find_if(there, [&](const QAction* action) {
         return !other.command.submenu.isEmpty() && action->menu() && action->menu()->title() == other.command.submenu;
       });

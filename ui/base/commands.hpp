@@ -1,5 +1,4 @@
-// Everything that can be done from a menu: menus, the tool bar, the list of keys and the command palette follow from
-// it.
+// All commands of the menus. The menus, the tool bar, the list of keys and the command palette are made from them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,38 +27,38 @@ struct Command {
   QList<QKeySequence> keys = {};
   QString icon = {};  ///< resources/icons/NAME.svg; may be empty
   bool checkable = false;
-  QString submenu = {};  ///< of its menu, by its title; made for the first one that names it. Empty: the menu itself
+  QString submenu = {};  ///< title of a submenu, made for the first command that names it; empty: the menu itself
 };
 
-/// Owns nothing but the order of things: actions belong to the object given to the constructor.
+/// The registry owns only the order; actions belong to the object given to the constructor.
 class CommandRegistry : public QObject {
   Q_OBJECT
 
  public:
   explicit CommandRegistry(QObject* parent);
 
-  /// `menus` are filled as commands come; those that came before are put in at once.
+  /// Sets the menu that a place stands for. It is filled as commands are added; earlier commands are inserted at once.
   void setMenu(CommandMenu place, QMenu* menu);
-  /// Commands of these groups stand in a submenu of that menu, which exists; to be told before they come. Submenus
+  /// Puts commands of these groups into a submenu of a menu that exists. Called before the commands are added. Submenus
   /// stand in the order in which they are made.
   void addSubmenu(CommandMenu place, const QString& title, const QStringList& groups);
-  /// `run` gets whether a checkable command is now on; it is called when somebody else checks it, too.
+  /// `run` receives whether a checkable command is now on; it is also called when other code checks the command.
   QAction* add(const Command& command, std::function<void(bool)> run);
-  /// An action that exists already (undo, a dock's): takes the keys, the help and the place of `command`, and keeps its
-  /// text where that of `command` is empty.
+  /// Registers an existing action (undo, a dock's). It gets the keys, the help and the place of `command`, and keeps
+  /// its text where that of `command` is empty.
   QAction* registerAction(QAction* action, const Command& command);
 
   struct Entry {
     Command command;
     QAction* action = nullptr;
   };
-  /// In the order in which they were added.
+  /// The commands in the order in which they were added.
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  /// Null before setMenu().
+  /// The menu of a place; null before setMenu().
   [[nodiscard]] QMenu* menu(CommandMenu place) const;
   /// The titles of the menus that lead to a command, the outermost first.
   [[nodiscard]] QStringList path(const Entry& entry) const;
-  /// Null when there is none.
+  /// The action of a command; null when there is none.
   [[nodiscard]] QAction* find(const QString& id) const;
 
  signals:
@@ -72,10 +71,10 @@ class CommandRegistry : public QObject {
 
   std::vector<Entry> entries_;
   std::map<CommandMenu, QMenu*> menus_;
-  std::map<std::pair<CommandMenu, QString>, QMenu*> groupMenus_;  ///< of groups that have a submenu
+  std::map<std::pair<CommandMenu, QString>, QMenu*> groupMenus_;  ///< menus of groups that have a submenu
 };
 
-/// "Open (Ctrl+O)": what a tool tip says of an action.
+/// The text of an action's tool tip: "Open (Ctrl+O)".
 QString withKeys(const QString& help, const QAction& action);
 
 }  // namespace footfall::ui

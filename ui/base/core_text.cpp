@@ -12,10 +12,10 @@
 namespace footfall::ui {
 namespace {
 
-// A place in a text file: what follows uses the words of that file.
+// The pattern of a place in a text file; the text behind it uses the words of that file.
 constexpr std::string_view kFilePlace = "%1:%2:%3: %4";
 
-// Files and the command line have the names of filters, with their values or without; the editor shows their labels.
+// Files and the command line use the names of filters, with or without values; the editor shows their labels.
 std::string argumentText(const Text& text, bool hasLabels) {
   return hasLabels ? strategyText(text.pattern()).toStdString() : std::string(text.pattern());
 }

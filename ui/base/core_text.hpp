@@ -1,4 +1,4 @@
-// What the core says to people, in their language.
+// Texts of the core in the user's language.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,16 +10,16 @@
 
 namespace footfall::ui {
 
-/// Translated where there is a translation, with the arguments in their places; patterns come to the translators
-/// through translations/update.sh.
+/// A translated text with its arguments inserted; English where there is no translation. translations/update.sh
+/// extracts the patterns for translators.
 QString coreText(const Text& text);
 
-/// A name that stays what it is in all languages.
+/// A name that is the same in all languages.
 inline QString untranslated(std::string_view name) {
   return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
 }
 
-/// What an exception says: translated for Footfall's own errors, as it is for others.
+/// The message of an exception: translated for Footfall's own errors, unchanged for others.
 QString coreText(const std::exception& error);
 
 }  // namespace footfall::ui

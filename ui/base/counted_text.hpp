@@ -9,7 +9,7 @@
 
 namespace footfall::ui {
 
-/// "1 layer", "12,345 layers".
+/// A count with its noun: "1 layer", "12,345 layers".
 inline QString countedText(std::uint64_t count, const QString& one, const QString& many) {
   return countText(count) + QLatin1Char(' ') + (count == 1 ? one : many);
 }

@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-// Buffers are named near the beginning or the end of a .gltf file; between them may lie any amount of data.
+// Buffers are named near the beginning or the end of a .gltf file; any amount of data may lie between.
 constexpr qint64 kSearched = qint64{1} << 20;
 constexpr int kMostCompanions = 64, kMostFiles = 1000;
 
@@ -52,7 +52,7 @@ FileWatch::Stamps FileWatch::stamps() const {
 
 QStringList FileWatch::companions() const {
   QStringList files;
-  if (QFileInfo(path_).isDir()) {  // what comes into it changes the folder itself
+  if (QFileInfo(path_).isDir()) {  // new files change the folder itself
     for (const std::string& mesh : detail::meshesInFolder(QFile::encodeName(path_).toStdString()))
       if (files.size() < kMostFiles) files << QFile::decodeName(QByteArray::fromStdString(mesh));
     return files;
@@ -72,7 +72,7 @@ QStringList FileWatch::companions() const {
   return files;
 }
 
-// Editors that replace a file take it out of the system's watch; so do those that remove it first.
+// Watches all files again. Editors that replace or remove a file remove it from the system's watch.
 void FileWatch::listen() {
   files_ = QStringList(path_) + companions();
   QStringList wanted = files_ + QStringList(QFileInfo(path_).path());
@@ -119,7 +119,7 @@ void FileWatch::look() {
   if (path_.isEmpty() || !enabled_) return;
   const Stamps now = stamps();
   if (!now.front().exists) {
-    // Perhaps about to be replaced: it is gone when it has not come back after a while.
+    // The file may be about to be replaced; it counts as gone when it is still missing after a while.
     if (!gone_ && !settle_.isActive()) settle_.start();
     seen_ = now;
     return;
@@ -148,7 +148,7 @@ void FileWatch::settled() {
   gone_ = false;
   if (now == known_) return;
   listen();
-  if (now.front().size == 0) return;  // a file that is being begun; a look sees it grow
+  if (now.front().size == 0) return;  // the file has just been created; a later check sees it grow
   retry_.stop();
   failures_ = 0;
   known_ = seen_ = stamps();

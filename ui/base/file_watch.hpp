@@ -1,4 +1,4 @@
-// Notices that another program has saved a file, once the file is complete.
+// Detects that another program has saved a file, once the file is complete.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,42 +13,43 @@
 
 namespace footfall::ui {
 
-/// Watches one file and what belongs to it (the .bin files that a .gltf names), or a folder and the meshes in it. The
-/// system's notices come at once where they come at all; sizes and times are looked at now and then besides, for
-/// network drives and for programs that write another file and rename it. changed() is emitted when nothing has changed
-/// for a while. A version that could not be read is offered again a few times, as it may still be in the making.
+/// Watches one file and the files that belong to it (the .bin files that a .gltf names), or a folder and the meshes in
+/// it. Notifications of the system are used where it sends them. Sizes and times are also checked from time to time,
+/// for network drives and for programs that write another file and rename it. changed() is emitted when nothing has
+/// changed for a while. A version that could not be read is offered again a few times, because it may be incomplete.
 class FileWatch : public QObject {
   Q_OBJECT
 
  public:
   struct Timings {
     std::chrono::milliseconds poll{1000};
-    std::chrono::milliseconds settle{250};  ///< nothing may change for so long
-    std::chrono::milliseconds retry{400};   ///< after the first failure; twice as long after each other one
+    std::chrono::milliseconds settle{250};  ///< time without changes before a version is offered
+    std::chrono::milliseconds retry{400};   ///< wait after the first failure; each further failure doubles it
   };
   static constexpr int kRetries = 4;
 
   explicit FileWatch(QObject* parent = nullptr);
 
-  /// The version on the disk counts as known. Empty: nothing is watched.
+  /// Starts watching; the version on the disk counts as known. An empty path stops watching.
   void watch(const QString& path);
   [[nodiscard]] const QString& path() const { return path_; }
-  /// Off: changed() is not emitted. For changes that came meanwhile it is, when the watch is switched on.
+  /// While watching is disabled, changed() is not emitted; it is emitted for changes of that time when watching is
+  /// enabled again.
   void setEnabled(bool on);
   [[nodiscard]] bool enabled() const { return enabled_; }
-  /// To be called when the version that changed() was emitted for has been read.
+  /// Called when the version that changed() was emitted for has been read.
   void readSucceeded();
-  /// It has not: changed() comes again, or givenUp() with the message.
+  /// Called when that version could not be read; changed() is emitted again, or givenUp() with the message.
   void readFailed(const QString& message);
-  /// The version on the disk is the editor's own.
+  /// Marks the version on the disk as the editor's own.
   void acknowledge();
   void setTimings(const Timings& timings);
 
  signals:
-  /// There is another version, complete as far as can be seen.
+  /// Emitted for another version that seems to be complete.
   void changed();
   void vanished();
-  /// A version cannot be read, and waiting has not helped.
+  /// Emitted when a version cannot be read and waiting has not helped.
   void givenUp(const QString& message);
 
  private:
@@ -67,12 +68,12 @@ class FileWatch : public QObject {
   void settled();
 
   QString path_;
-  QStringList files_;  ///< the file first
+  QStringList files_;  ///< the file comes first
   bool enabled_ = true;
-  bool gone_ = false;  ///< and vanished() was emitted
-  Stamps known_;       ///< of the version that was read last, or offered
-  Stamps seen_;        ///< of the last look
-  int failures_ = 0;   ///< of the version that is offered
+  bool gone_ = false;  ///< vanished() was emitted
+  Stamps known_;       ///< stamps of the version that was read last, or offered
+  Stamps seen_;        ///< stamps of the last check
+  int failures_ = 0;   ///< failures of the version that is offered
   Timings timings_;
   QFileSystemWatcher watcher_;
   QTimer poll_, settle_, retry_;

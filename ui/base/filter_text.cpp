@@ -30,7 +30,7 @@ QString unitName(Unit unit) {
   return {};
 }
 
-// Numbers in the notation of the fields.
+// A number in the notation of the fields.
 QString valueText(const ParameterDescriptor& parameter, double value) {
   return QString::fromStdString(formatValue(parameter, value));
 }
@@ -46,7 +46,7 @@ QString rangeText(const ParameterDescriptor& parameter) {
     text = whole ? FilterHelp::tr("a whole number from %1") : FilterHelp::tr("a number from %1");
   }
   text = text.arg(low);
-  // Limits at the end of what the type can hold are there for the program.
+  // Limits at the end of the type's range have no meaning for users.
   if (parameter.maximum < 1e9) {
     const QString high = valueText(parameter, parameter.maximum);
     text +=
@@ -72,7 +72,7 @@ QString section(const QString& title, const QString& text) {
 }  // namespace
 
 QString filterText(std::string_view text) {
-  // Translators see the texts under one heading.
+  // Translators see these texts under one heading.
   return QCoreApplication::translate("Filter", std::string(text).c_str());
 }
 

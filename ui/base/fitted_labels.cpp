@@ -11,11 +11,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kLeastLetters = 6;  // of an elided text
+constexpr int kLeastLetters = 6;  // in an elided text
 
 int leastWidth(const QWidget& widget) { return kLeastLetters * widget.fontMetrics().averageCharWidth(); }
 
-// Calls visit(layout) for each paragraph of the text, laid out in lines of `width`; returns the height of all.
+// Calls visit(layout) for each paragraph of the text, laid out in lines of `width`; returns the total height.
 template <typename Visit>
 double layOut(const QString& text, const QFont& font, int width, Visit visit) {
   double height = 0;

@@ -1,4 +1,4 @@
-// Labels that never need more width than there is: for names of files, notes and errors of any length.
+// Labels that fit into any width, for names of files, notes and errors of any length.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,8 +6,8 @@
 
 namespace footfall::ui {
 
-/// One line of plain text, with dots in its middle where it does not fit; its tool tip then has all of it, unless it
-/// has another one.
+/// One line of plain text, elided in the middle where it does not fit. The tool tip then has the whole text, unless
+/// another one is set.
 class ElidedLabel : public QLabel {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class ElidedLabel : public QLabel {
   void paintEvent(QPaintEvent* event) override;
 };
 
-/// Plain text in as many lines as it needs; words that are longer than a line are broken where it ends.
+/// Plain text in as many lines as it needs; a word longer than a line is broken at its end.
 class WrappedLabel : public QLabel {
   Q_OBJECT
 

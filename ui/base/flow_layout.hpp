@@ -1,4 +1,4 @@
-// A row that goes on in the next line where it does not fit.
+// A row of items that wraps into further lines.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace footfall::ui {
 
-/// Items from left to right, in as many lines as the width needs: buttons whose texts are longer in other languages.
-/// Items that may grow share what is left of their line.
+/// Places items from left to right, in as many lines as the width needs, for buttons whose texts are longer in other
+/// languages. Items that may grow share the rest of their line.
 class FlowLayout : public QLayout {
   Q_OBJECT
 
@@ -28,7 +28,7 @@ class FlowLayout : public QLayout {
   void setGeometry(const QRect& area) override;
 
  private:
-  /// Places the items where `place` says so; returns the height of all lines.
+  /// Places the items when `place` is true; returns the height of all lines.
   int arrange(const QRect& area, bool place) const;
   void placeLine(const QList<QLayoutItem*>& line, const QRect& area, int height) const;
 

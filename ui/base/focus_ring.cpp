@@ -36,7 +36,7 @@ class Frame : public QWidget {
   }
 };
 
-// Where the frame may be put: some containers make every child one of their pages.
+// The widget that can hold the frame; some containers make every child one of their pages.
 QWidget* holderOf(const QWidget* target) {
   QWidget* parent = target->parentWidget();
   while (parent && (qobject_cast<QSplitter*>(parent) || qobject_cast<QStackedWidget*>(parent)))
@@ -86,7 +86,7 @@ void FocusRing::place() {
     if (frame_) frame_->hide();
     return;
   }
-  // Beside the target, so that it scrolls and is cut off with it.
+  // The frame is a sibling of the target, so that it scrolls and is clipped with it.
   if (frame_ && frame_->parentWidget() != holder) delete frame_;
   if (!frame_) frame_ = new Frame(holder);
   const QRect around(target_->mapTo(holder, QPoint()), target_->size());

@@ -1,4 +1,4 @@
-// A frame around what has the keyboard, whatever the style draws.
+// A frame around the focused widget, independent of the style.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,16 +7,15 @@
 
 namespace footfall::ui {
 
-/// Shows once the keyboard has moved the focus (Tab, a mnemonic), and goes when the mouse is used, as in browsers:
-/// those who click know where they are. For one window, which owns it; the frame takes no events and no place in
-/// layouts.
+/// The frame appears once the keyboard has moved the focus (Tab, a mnemonic), and disappears when the mouse is used, as
+/// in browsers. It belongs to one window, which owns it; the frame takes no events and no place in layouts.
 class FocusRing : public QObject {
   Q_OBJECT
 
  public:
   explicit FocusRing(QWidget* window);
 
-  /// What it stands around; null while it is hidden.
+  /// The widget that the frame surrounds; null while the frame is hidden.
   [[nodiscard]] QWidget* target() const { return frame_ && frame_->isVisible() ? target_.data() : nullptr; }
 
  protected:
@@ -28,7 +27,7 @@ class FocusRing : public QObject {
 
   QWidget* window_;
   QPointer<QWidget> target_;
-  QPointer<QWidget> frame_;  ///< beside the target: it goes when the target's parent does
+  QPointer<QWidget> frame_;  ///< a sibling of the target, deleted with the target's parent
   bool byKeyboard_ = false;
 };
 

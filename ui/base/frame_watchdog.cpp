@@ -13,8 +13,8 @@
 namespace footfall::ui {
 namespace {
 
-FrameWatchdog* theRunning = nullptr;  // of the one QCoreApplication
-constexpr double kKeptFromMs = 16;    // shorter ones cost no frame
+FrameWatchdog* theRunning = nullptr;  // watchdog of the one QCoreApplication
+constexpr double kKeptFromMs = 16;    // shorter stalls cost no frame
 constexpr std::size_t kMostKept = 1000;
 
 }  // namespace
@@ -36,7 +36,7 @@ void FrameWatchdog::start() {
   theRunning = this;
   if (QAbstractEventDispatcher* dispatcher = QAbstractEventDispatcher::instance(thread())) {
     connect(dispatcher, &QAbstractEventDispatcher::aboutToBlock, this, &FrameWatchdog::closeStretch);
-    // Back from a loop inside an event: the rest of that event counts from here.
+    // A loop inside an event has ended; the rest of that event is measured from here.
     connect(dispatcher, &QAbstractEventDispatcher::awake, this, [this] {
       closeStretch();
       if (levels_.empty()) return;
@@ -76,8 +76,8 @@ void FrameWatchdog::closeStretch() {
 void FrameWatchdog::begin(const QObject* receiver, const QEvent* event) {
   ++depth_;
   const int loop = QThread::currentThread()->loopLevel();
-  if (!levels_.empty() && loop <= levels_.back().loop) return;  // sent by the handler of that event itself
-  // Handed out by a loop. The receiver may be gone at the end, so what it is called is noted now.
+  if (!levels_.empty() && loop <= levels_.back().loop) return;  // the handler of that event has sent it
+  // A loop has dispatched the event. The receiver may be gone at the end, so its name is recorded now.
   QByteArray name = receiver->metaObject()->className();
   if (!receiver->objectName().isEmpty()) name += " '" + receiver->objectName().toUtf8() + '\'';
   closeStretch();
@@ -88,7 +88,7 @@ void FrameWatchdog::begin(const QObject* receiver, const QEvent* event) {
 }
 
 void FrameWatchdog::end() {
-  if (depth_ == 0) return;  // it began before start()
+  if (depth_ == 0) return;  // the event began before start()
   if (!depths_.empty() && depths_.back() == depth_) {
     closeStretch();
     levels_.pop_back();

@@ -1,4 +1,4 @@
-// How long the window did not answer, and while it was doing what.
+// Measures how long the window did not respond, and during which event.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,8 +13,8 @@ class QEvent;
 namespace footfall::ui {
 
 /// Measures, on the window's thread, every stretch between two moments at which the event loop could take the next
-/// event. GuardedApplication tells it of every event while it runs; a loop inside an event (a menu, a dialog) counts as
-/// a loop, and waiting for events as nothing. One a program; not for other threads.
+/// event. GuardedApplication reports every event to the running watchdog. A loop inside an event (a menu, a dialog)
+/// counts as a loop, and waiting for events does not count. There is one in a program; other threads must not use it.
 class FrameWatchdog : public QObject {
   Q_OBJECT
 
@@ -22,25 +22,25 @@ class FrameWatchdog : public QObject {
   explicit FrameWatchdog(QObject* parent = nullptr);
   ~FrameWatchdog() override;
 
-  /// Forgets what was measured and measures from here on.
+  /// Discards earlier measurements and starts measuring.
   void start();
   void stop();
 
   struct Stall {
     double milliseconds = 0;
-    /// "QEvent::Paint (12) in footfall::ui::LevelView 'levelView'": the event that the loop had handed out.
+    /// The event that the loop had dispatched: "QEvent::Paint (12) in footfall::ui::LevelView 'levelView'".
     QString during;
   };
-  /// 0 when nothing has been measured.
+  /// The longest stall; 0 when nothing has been measured.
   [[nodiscard]] double longestStallMs() const { return longest_.milliseconds; }
   [[nodiscard]] const Stall& longestStall() const { return longest_; }
-  /// Those of at least `milliseconds`, in the order in which they were; the first 1,000.
+  /// Stalls of at least `milliseconds`, in order of time; the first 1,000.
   [[nodiscard]] std::vector<Stall> stallsOver(double milliseconds) const;
 
-  /// The one that runs; null when none does.
+  /// The running watchdog; null when there is none.
   static FrameWatchdog* running();
 
-  /// Around the handling of one event; does nothing while no watchdog runs.
+  /// Marks the handling of one event; does nothing while no watchdog runs.
   class Handling {
    public:
     Handling(const QObject* receiver, const QEvent* event);
@@ -55,7 +55,7 @@ class FrameWatchdog : public QObject {
  private:
   using Clock = std::chrono::steady_clock;
   struct Level {
-    int loop = 0;  ///< of the event loop that handed the event out
+    int loop = 0;  ///< event loop that dispatched the event
     const QObject* receiver = nullptr;
     QByteArray className;
     int type = 0;
@@ -65,8 +65,8 @@ class FrameWatchdog : public QObject {
   void end();
   void closeStretch();
 
-  std::vector<Level> levels_;  ///< events being handled, each handed out by a loop inside the one before
-  int depth_ = 0;              ///< of notify() in all; events that code sends to itself belong to the one they are in
+  std::vector<Level> levels_;  ///< events being handled, each dispatched by a loop inside the one before
+  int depth_ = 0;              ///< nesting of notify(); events that code sends directly belong to the event around them
   std::vector<int> depths_;    ///< depth at which each level began
   bool measuring_ = false;
   Clock::time_point from_;

@@ -9,9 +9,9 @@ namespace footfall::ui {
 namespace {
 
 constexpr int kLongest = 200;
-constexpr int kLetter = 8;      // for each letter found
-constexpr int kWordStart = 10;  // more where it begins a word
-constexpr int kFollows = 12;    // more where it follows the one before
+constexpr int kLetter = 8;      // for each matched letter
+constexpr int kWordStart = 10;  // more at the beginning of a word
+constexpr int kFollows = 12;    // more directly behind the previous match
 constexpr int kGap = 1;         // less for each letter in between
 constexpr int kNone = std::numeric_limits<int>::min() / 2;
 
@@ -23,8 +23,8 @@ bool beginsWord(const QString& text, int at) {
 
 }  // namespace
 
-// The best of all ways to place the letters, letter by letter: best[i][j] is that of the first i + 1 letters with the
-// last of them at j.
+// Finds the best of all ways to place the letters, letter by letter: best[i][j] is the best score of the first i + 1
+// letters with the last of them at j.
 std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text) {
   QString letters;
   for (const QChar c : pattern.toCaseFolded()) {
@@ -39,7 +39,7 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text
   std::vector<int> best(cells, kNone), from(cells, -1);
   const auto cell = [length](int i, int j) { return static_cast<std::size_t>(i * length + j); };
   for (int i = 0; i < count; ++i) {
-    int before = kNone;  // the best that ends before j, gaps up to j included
+    int before = kNone;  // the best score that ends before j, gaps up to j included
     int beforeAt = -1;
     for (int j = 0; j < length; ++j) {
       if (i > 0 && j > 0) {
@@ -73,7 +73,7 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text
   }
   if (end < 0) return std::nullopt;
   FuzzyMatch match;
-  // Of equal places, the shorter text is the closer one.
+  // The shorter of two texts matches better at the same places.
   match.score = std::max(1, 4 * best[cell(count - 1, end)] - length / 8);
   for (int i = count - 1, j = end; i >= 0; --i) {
     match.positions.prepend(j);

@@ -1,4 +1,4 @@
-// Finding by a few letters, as in "sf" for "Slope filter".
+// Fuzzy matching by a few letters: "sf" matches "Slope filter".
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,13 +10,12 @@ namespace footfall::ui {
 
 struct FuzzyMatch {
   int score = 0;           ///< larger is better; 0 for an empty pattern
-  QList<int> positions{};  ///< in the text, of the pattern's letters
+  QList<int> positions{};  ///< places in the text of the pattern's letters
 };
 
-/// Whether the letters of `pattern` stand in `text` in their order, whatever is between, and how well: letters that
-/// begin words or follow each other count most, gaps and late beginnings cost. Upper and lower case, and blanks in the
-/// pattern, make no difference. Nothing when a letter is missing. Of texts up to 200 letters; more of them are not
-/// looked at.
+/// Matches the letters of `pattern` in `text` in their order, with any letters between them. Letters at the beginning
+/// of words or directly behind each other score most; gaps and late beginnings cost. Case and blanks in the pattern are
+/// ignored. Empty when a letter is missing. Only the first 200 letters of a text are searched.
 std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text);
 
 }  // namespace footfall::ui

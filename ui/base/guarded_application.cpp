@@ -26,7 +26,8 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   return true;
 }
 
-// Later: who hears it may need what the event was still holding. Where even that cannot be had, standard error gets it.
+// The message is sent later, because its receivers may need objects that the event still uses. When that fails, it goes
+// to standard error.
 void GuardedApplication::report(const QString& message) noexcept {
   try {
     std::fprintf(stderr, "footfall-editor: %s\n", qPrintable(message));

@@ -1,4 +1,4 @@
-// A QApplication that outlives what goes wrong while it handles an event.
+// A QApplication that continues after an exception in an event handler.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// An exception that leaves the handling of an event ends that event and nothing else: problemReported() says what
-/// happened and what to do, once the event is over. Events are told to the FrameWatchdog that runs.
+/// An exception that leaves an event handler ends that event and nothing else. problemReported() then has a message
+/// about what happened and what to do, once the event is over. Events are reported to the running FrameWatchdog.
 class GuardedApplication : public QApplication {
   Q_OBJECT
 
@@ -25,11 +25,11 @@ class GuardedApplication : public QApplication {
   void report(const QString& message) noexcept;
 };
 
-/// An exception in words, in the user's language; where memory ran out, what to do about it.
+/// The message of an exception in the user's language; for exhausted memory it says what to do.
 QString errorText(const std::exception& error);
 
-/// Calls `work` and gives back what went wrong in words; empty when nothing did. For jobs in the background, which must
-/// not throw.
+/// Calls `work` and returns the message of its exception; empty when there was none. It serves background jobs, which
+/// must not throw.
 template <typename Work>
 QString errorOf(Work&& work) {
   try {

@@ -15,7 +15,7 @@ bool HoverReset::eventFilter(QObject* watched, QEvent* event) {
   const bool blocking = event->type() == QEvent::WindowBlocked || event->type() == QEvent::WindowUnblocked;
   const auto* widget = event->type() == QEvent::Hide ? qobject_cast<QWidget*>(watched) : nullptr;
   const bool closing = widget && widget->windowType() == Qt::Popup;
-  // Later: what opens is not there yet, and what closes still has the mouse.
+  // The check runs later, because an opening dialog does not exist yet, and a closing one still has the mouse.
   if ((blocking && watched == window_) || closing)
     QMetaObject::invokeMethod(this, &HoverReset::check, Qt::QueuedConnection);
   return QObject::eventFilter(watched, event);

@@ -1,4 +1,4 @@
-// Takes the look of a control under the mouse back where the mouse has gone without a word.
+// Removes the hover effect of a control when the mouse has left it without an event.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,9 +6,9 @@
 
 namespace footfall::ui {
 
-/// A dialog or a menu that opens over a control takes the mouse away from it, and Qt tells a window that a dialog
-/// blocks of no mouse that leaves. Once a window is blocked or free again, or a menu has closed, controls of this
-/// window that the mouse is not over are told so.
+/// A dialog or a menu that opens over a control takes the mouse from it, and Qt sends no leave event to a window that a
+/// dialog blocks. Once a window is blocked or free again, or a menu has closed, this object sends leave events to
+/// controls of the window that the mouse is not over.
 class HoverReset : public QObject {
   Q_OBJECT
 

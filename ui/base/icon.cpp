@@ -16,7 +16,7 @@
 namespace footfall::ui {
 namespace {
 
-// The one colour that all files of resources/icons are drawn with, and that gives way to the palette's.
+// The colour of all files of resources/icons, which the palette's colour replaces.
 constexpr char kDrawnWith[] = "#404850";
 
 QString folder() { return QStringLiteral(":/resources/icons/"); }

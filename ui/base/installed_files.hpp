@@ -1,4 +1,4 @@
-// Where the files lie that are installed beside the programs.
+// Finds files that are installed beside the programs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,11 +6,11 @@
 
 namespace footfall::ui {
 
-/// The folder with the sample environments, NAME/NAME.obj and NAME/NAME.pipeline each: ../share/footfall/samples as
-/// seen from the running program, else (in a build tree) the source tree's. Empty where neither is there.
+/// The folder with the sample environments, NAME/NAME.obj and NAME/NAME.pipeline each: ../share/footfall/samples
+/// relative to the running program, else (in a build tree) the source tree's. Empty where neither exists.
 QString samplesFolder();
 
-/// The same, for a program in the folder `programFolder`.
+/// The samples of a program in the folder `programFolder`.
 QString samplesFolder(const QString& programFolder);
 
 }  // namespace footfall::ui

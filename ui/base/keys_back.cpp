@@ -47,7 +47,7 @@ bool giveKeysBack(QWidget& field) {
     if (qobject_cast<QDialog*>(widget)) return false;
     const auto* window = qobject_cast<QMainWindow*>(widget);
     if (!window || !window->centralWidget()) continue;
-    if (field.window() != widget) widget->activateWindow();  // out of a dock that floats
+    if (field.window() != widget) widget->activateWindow();  // leaves a floating dock
     window->centralWidget()->setFocus(Qt::OtherFocusReason);
     return true;
   }

@@ -1,4 +1,4 @@
-// After typing, or a click on a button that goes with it, the keys belong to the view again.
+// Returns the keyboard focus to the view after typing, or after a click on a button.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,18 +7,18 @@
 
 namespace footfall::ui {
 
-/// Gives the focus to what stands in the middle of the window that `field` is part of. False, and nothing happens, in
-/// dialogs: there Enter and Escape are the dialog's.
+/// Moves the focus to the central widget of the window that holds `field`. Returns false and changes nothing in
+/// dialogs, which use Enter and Escape themselves.
 bool giveKeysBack(QWidget& field);
 
-/// Enter and Escape in `field` give the keys back, after all else that they do there.
+/// Enter and Escape in `field` return the focus, after their other effects.
 void giveKeysBackAfterTyping(QLineEdit& field);
 
-/// A click gives the keys back before anything else that it does: for buttons that go when they have been used, as the
-/// focus would go on to whatever comes next.
+/// A click returns the focus before its other effects, for buttons that are removed when they have been used; Qt would
+/// otherwise move the focus to the next widget.
 void giveKeysBackAfterClick(QAbstractButton& button);
 
-/// A double click in `field` selects all of the number in it, and not only the digits before or behind its point.
+/// A double click in `field` selects the whole number, not only the digits on one side of its point.
 void selectNumberByDoubleClick(QLineEdit& field);
 
 }  // namespace footfall::ui

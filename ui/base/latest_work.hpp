@@ -1,4 +1,4 @@
-// Work in the background of which only the latest counts.
+// Background work of which only the latest request counts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace footfall::ui {
 
-/// A member of an object that lives on the window's thread: its last member, so that the background thread ends before
-/// the rest of the object goes. Nothing here waits for the work, but the destructor, which cancels it before.
+/// A member of an object on the window's thread, declared last, so that the background thread ends before the other
+/// members are destroyed. Only the destructor waits for the work, which it cancels first.
 class LatestWork {
  public:
   LatestWork() = default;
@@ -23,22 +23,22 @@ class LatestWork {
   LatestWork(const LatestWork&) = delete;
   LatestWork& operator=(const LatestWork&) = delete;
 
-  /// Stops what is under way, and calls work(context) in the background. On the thread of `owner`, done(result)
-  /// follows, or failed(exception); nothing when the work was stopped or something else was started meanwhile.
+  /// Stops the running work, and calls work(context) in the background. done(result) or failed(exception) follows on
+  /// the thread of `owner`; neither is called when the work was stopped or replaced meanwhile.
   template <class Work, class Done, class Failed>
   void start(QObject& owner, Work work, Done done, Failed failed);
-  /// Cancels what is under way; it ends by itself, soon.
+  /// Cancels the running work, which ends soon.
   void stop() {
     if (context_) context_->cancel();
     context_.reset();
   }
   [[nodiscard]] bool busy() const { return context_ != nullptr; }
-  /// The queue of the work; jobs that are posted here follow it, and nothing stops them.
+  /// The queue of the work. Jobs that are posted here follow the work, and stop() does not affect them.
   [[nodiscard]] BackgroundQueue& queue() { return queue_; }
 
  private:
-  std::shared_ptr<RunContext> context_;  ///< of the work under way; null when there is none
-  BackgroundQueue queue_;                // last: its thread ends before the rest goes
+  std::shared_ptr<RunContext> context_;  ///< context of the running work; null when there is none
+  BackgroundQueue queue_;                // declared last: its thread ends before the other members are destroyed
 };
 
 template <class Work, class Done, class Failed>

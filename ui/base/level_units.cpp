@@ -11,9 +11,9 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kMetresPerFoot = 0.3048, kMillimetresPerMetre = 1000;
-constexpr double kMostPlain = 1e9;  // of longer numbers, nobody reads the last digits
+constexpr double kMostPlain = 1e9;  // larger numbers use an exponent, because nobody reads their last digits
 
-// Twelve digits: 2 and not 1.9999999999999998, which is what a change of unit would leave.
+// Rounds to twelve digits: 2 and not 1.9999999999999998, which a change of unit would leave.
 double tidy(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
 }  // namespace
@@ -46,7 +46,7 @@ double LevelUnits::shown(double value, Unit unit) const {
 double LevelUnits::stored(double shown, Unit unit) const {
   const double scale = factor(unit);
   if (scale == 1) return shown;
-  // As defaults are converted (core/pipeline/pipeline.cpp), where that says the same.
+  // Rounds as defaults are converted (core/pipeline/pipeline.cpp), where that gives the same value.
   const double rounded = tidy(shown / scale);
   return tidy(rounded * scale) == shown ? rounded : shown / scale;
 }
@@ -90,7 +90,7 @@ QString LevelUnits::size(const Vec3& size) const {
 Vec3 LevelUnits::shownPlace(const Vec3& place) const {
   const Vec3 p = inFileFrame(place, up);
   const double scale = factor();
-  // A picked place is rounded somewhere on its way: what is left of a 0 is shown as one.
+  // Rounding leaves a residue where a coordinate of a picked place should be 0; it is shown as 0.
   const double residue = 1e-9 * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z));
   const auto shown = [&](double x) { return std::isfinite(residue) && std::abs(x) < residue ? 0 : x * scale; };
   return {shown(p.x), shown(p.y), shown(p.z)};

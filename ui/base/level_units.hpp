@@ -1,5 +1,5 @@
-// Lengths and places of the loaded level as people see and type them: in metres, millimetres, feet or the file's units,
-// along the file's axes.
+// Lengths and places of the loaded level in the shown unit (metres, millimetres, feet or the file's units), along the
+// file's axes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,13 +14,13 @@ namespace footfall::ui {
 
 enum class LengthUnit { Metres, Feet, FileUnits, Millimetres };
 
-/// Everything in the editor that shows or reads a length, an area or a place goes through this. What is stored stays in
-/// the file's units, with Z up. While the scale is a guess, the file's units are shown, whatever is wanted.
+/// The editor converts every shown or typed length, area and place with this. Stored values stay in the file's units,
+/// with Z up. The file's units are shown while the scale is a guess, whatever unit is chosen.
 struct LevelUnits {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::LevelUnits)
 
  public:
-  UpAxis up = UpAxis::Z;  ///< of the file
+  UpAxis up = UpAxis::Z;  ///< up axis of the file
   double metresPerUnit = 1;
   bool scaleKnown = false;
   LengthUnit wanted = LengthUnit::Metres;
@@ -28,41 +28,41 @@ struct LevelUnits {
 
   /// The unit that is shown.
   [[nodiscard]] LengthUnit unit() const { return scaleKnown ? wanted : LengthUnit::FileUnits; }
-  /// How many of the shown unit one of the file's units is; of a value that is a length, an area or neither.
+  /// The number of shown units in one unit of the file, for a value that is a length, an area or neither.
   [[nodiscard]] double factor() const;
   [[nodiscard]] double factor(Unit unit) const;
-  /// A parameter's value as a field shows it, and back. Going there and back gives the same text.
+  /// Converts a parameter's value to the shown unit and back. A round trip gives the same text.
   [[nodiscard]] double shown(double value, Unit unit = Unit::Length) const;
   [[nodiscard]] double stored(double shown, Unit unit = Unit::Length) const;
 
-  /// "m", "mm", "ft" or "units".
+  /// The shown unit: "m", "mm", "ft" or "units".
   [[nodiscard]] QString name() const;
-  /// "m²", "ft²" or "units²". Who measures in millimetres has areas in square metres.
+  /// The unit of areas: "m²", "ft²" or "units²". Areas are in square metres when lengths are in millimetres.
   [[nodiscard]] QString areaName() const;
-  /// "2.5 m".
+  /// A length with its unit: "2.5 m".
   [[nodiscard]] QString length(double length) const;
   [[nodiscard]] QString area(double area) const;
-  /// "1 × 2.5 × 0.3 m".
+  /// A size with its unit: "1 × 2.5 × 0.3 m".
   [[nodiscard]] QString size(const Vec3& size) const;
-  /// The number alone, in the shown unit.
+  /// The number of a length in the shown unit, without the unit.
   [[nodiscard]] QString lengthNumber(double length) const;
   [[nodiscard]] QString areaNumber(double area) const;
 
-  /// A place along the file's x, y and z, in the shown unit, and back.
+  /// Converts a place to the shown unit along the file's x, y and z, and back.
   [[nodiscard]] Vec3 shownPlace(const Vec3& place) const;
   [[nodiscard]] Vec3 storedPlace(const Vec3& shown) const;
-  /// "1.2, 0, -3.4", in the order of the file's axes.
+  /// The coordinates of a place in the order of the file's axes: "1.2, 0, -3.4".
   [[nodiscard]] QString placeNumbers(const Vec3& place) const;
-  /// "x 1.2, y 0, z -3.4 m".
+  /// A place with axes and unit: "x 1.2, y 0, z -3.4 m".
   [[nodiscard]] QString place(const Vec3& place) const;
-  /// A height in the level as the file's coordinate along its up axis, in the shown unit.
+  /// The height of a place in the level as the file's coordinate along its up axis, in the shown unit.
   [[nodiscard]] double shownHeight(double z) const;
 
-  /// What a place is in: "Places are in the file's frame (Y up), in m".
+  /// The frame of places: "Places are in the file's frame (Y up), in m".
   [[nodiscard]] QString frameText() const;
-  /// "Y up".
+  /// The up axis: "Y up".
   [[nodiscard]] QString upText() const;
-  /// The file's axis, 0 to 2, that lies along an axis of the level (Z up), and whether it points the same way.
+  /// The file's axis, 0 to 2, along an axis of the level (Z up), and whether it points the same way.
   struct FileAxis {
     int axis = 0;
     bool same = true;
@@ -70,10 +70,10 @@ struct LevelUnits {
   [[nodiscard]] FileAxis fileAxis(int levelAxis) const;
 };
 
-/// "X", "Y" or "Z".
+/// The name of an axis: "X", "Y" or "Z".
 QString axisName(int axis);
 
-/// How a file with this axis up is called: "Y up".
+/// The text for a file with this axis up: "Y up".
 QString upAxisText(UpAxis up);
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Tables that list things of the level: a row leads to its place in the view.
+// Tables of things in the level; choosing a row shows its place in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,14 +8,14 @@
 
 namespace footfall::ui {
 
-/// One row is selected at a time and none is edited; Tab leaves the table. Rows are of one height: nothing is measured
-/// but what is seen.
+/// One row is selected at a time and none is edited; Tab leaves the table. All rows have one height, so that only
+/// visible rows are measured.
 void prepareList(QTableView& table);
 
-/// Columns as wide as so many digits: {column, digits}.
+/// Sets the widths of columns in digits: {column, digits}.
 void setColumnWidths(QTableView& table, std::initializer_list<std::pair<int, int>> digits);
 
-/// Calls `use` with a row that is clicked, or that Return is pressed on.
+/// Calls `use` with a row when it is clicked or Return is pressed on it.
 void onRowChosen(QTableView& table, const std::function<void(int)>& use);
 
 }  // namespace footfall::ui

@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-/// Messages of at least a level that hold a text.
+/// The messages of at least a level that contain a text.
 class ShownMessages : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -90,7 +90,7 @@ LogPanel::LogPanel(MessageLog& log, QWidget* parent) : QWidget(parent), log_(log
   connect(copy_, &QToolButton::clicked, this, &LogPanel::copy);
   connect(save_, &QToolButton::clicked, this, &LogPanel::saveRequested);
   connect(clear_, &QToolButton::clicked, &log_, &MessageLog::clear);
-  // Follows what is said while the end is in sight.
+  // Scrolls to new messages while the end is visible.
   connect(shown_, &QAbstractItemModel::rowsAboutToBeInserted, this, [this] {
     const QScrollBar* bar = list_->verticalScrollBar();
     if (bar->value() == bar->maximum())

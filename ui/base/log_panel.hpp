@@ -1,4 +1,4 @@
-// The dock Log: what was said, to look through, copy and save.
+// The dock Log: earlier messages, to search, copy and save.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ class LogPanel : public QWidget {
  public:
   explicit LogPanel(MessageLog& log, QWidget* parent = nullptr);
 
-  /// The selected messages, or all that are shown when none is selected, one a line.
+  /// The selected messages, or all shown ones when none is selected, one a line.
   [[nodiscard]] QString text() const;
   [[nodiscard]] QListView* list() const { return list_; }
   [[nodiscard]] QComboBox* levels() const { return levels_; }
@@ -29,7 +29,7 @@ class LogPanel : public QWidget {
   [[nodiscard]] QToolButton* clearButton() const { return clear_; }
 
  signals:
-  /// Somebody wants to keep text() in a file.
+  /// Emitted when the user chooses to save text() in a file.
   void saveRequested();
 
  protected:

@@ -1,4 +1,4 @@
-// A line above the view for errors and hints; it blocks nothing.
+// A line above the view for errors and hints that block nothing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,15 +12,15 @@
 
 namespace footfall::ui {
 
-/// What a message is about: it goes when that is over.
+/// The subject of a message; the message disappears when the subject is over.
 enum class MessageSubject {
   Other,
-  Opening,  ///< environments, sessions and pipelines that are read
+  Opening,  ///< reading environments, sessions and pipelines
   Writing,
   Run,
-  Keeping,  ///< the session for after a crash
-  Filters,  ///< the list, until it changes
-  Level,    ///< roles of parts and obstacles
+  Keeping,  ///< writing the session for recovery after a crash
+  Filters,  ///< the list of filters, until it changes
+  Level,    ///< roles of parts, and obstacles
   View,
   Path
 };
@@ -32,17 +32,17 @@ class MessageBar : public QFrame {
   explicit MessageBar(QWidget* parent = nullptr);
 
   void showError(const QString& text);
-  /// Actions are offered as buttons when they have labels.
+  /// Actions with a label are offered as buttons.
   void showHint(const QString& text, const QString& label = {}, std::function<void()> action = {},
                 const QString& secondLabel = {}, std::function<void()> secondAction = {});
-  /// showError() about something that can be over.
+  /// Shows an error that disappears when its subject is over.
   void showErrorOf(MessageSubject subject, const QString& text);
-  /// What the message that is shown is about.
+  /// Sets the subject of the shown message.
   void setSubject(MessageSubject subject) { subject_ = subject; }
-  /// Takes the message away if it is about this.
+  /// Removes the message if it has this subject.
   void finish(MessageSubject subject);
   void clear();
-  /// Empty while nothing is shown.
+  /// The shown text; empty while nothing is shown.
   [[nodiscard]] QString text() const;
 
  signals:

@@ -1,4 +1,4 @@
-// What the editor has said since it was started.
+// The messages that the editor has shown since it was started.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,11 +17,11 @@ struct LoggedMessage {
   QString text;
 };
 
-/// "error" and so on, for people.
+/// The level as a word for people: "error" and so on.
 QString labelOf(MessageLevel level);
 
-/// One row a message, the oldest first. Keeps the last kMost; a message that comes again at once (within a second) is
-/// counted and not repeated.
+/// One row for each message, the oldest first. Keeps the last kMost messages. A message that is repeated within a
+/// second is counted and not added.
 class MessageLog : public QAbstractListModel {
   Q_OBJECT
 
@@ -42,7 +42,7 @@ class MessageLog : public QAbstractListModel {
   std::deque<LoggedMessage> messages_;
 };
 
-/// "2026-03-01 14:05:09  error  text", lines that follow the first indented: for files and the clipboard.
+/// A line for files and the clipboard: "2026-03-01 14:05:09  error  text"; further lines of the text are indented.
 QString logLine(const LoggedMessage& message);
 
 }  // namespace footfall::ui

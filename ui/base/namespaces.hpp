@@ -1,4 +1,4 @@
-// The editor's names see those of the library's inside.
+// Makes names of the library's inner namespace visible in the editor's namespace.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

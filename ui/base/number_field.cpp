@@ -34,7 +34,7 @@ double factorOf(Qt::KeyboardModifiers modifiers) {
   return modifiers.testFlag(Qt::ShiftModifier) ? kFiner : modifiers.testFlag(Qt::ControlModifier) ? kCoarser : 1;
 }
 
-// The core's words, with the name that people see: "Maximum slope 95 is out of range; give ...".
+// The core's message with the label that users see: "Maximum slope 95 is out of range; give ...".
 QString problemOf(const ParameterDescriptor& parameter, double value) {
   const std::string label = filterText(parameter.label).toStdString();
   ParameterDescriptor shown = parameter;
@@ -42,7 +42,7 @@ QString problemOf(const ParameterDescriptor& parameter, double value) {
   return coreText(checkValue(shown, value));
 }
 
-// In the shortest digits: 2.1 and not 2.1000000000000001.
+// Keeps the shortest digits: 2.1 and not 2.1000000000000001.
 double tidy(double value) { return QString::number(value, 'g', 12).toDouble(); }
 
 }  // namespace
@@ -75,10 +75,10 @@ void NumberField::setUnits(const LevelUnits& units) {
   units_ = units;
   const double factor = units.factor(parameter_.unit);
   asShown_ = parameter_;
-  // The end of what the type can hold is no limit of people.
+  // The end of the type's range is no limit for users.
   if (parameter_.minimum > std::numeric_limits<double>::lowest()) asShown_.minimum = parameter_.minimum * factor;
   if (parameter_.maximum < std::numeric_limits<double>::max()) asShown_.maximum = parameter_.maximum * factor;
-  if (factor != 1) asShown_.unit = Unit::None;  // the core's words are of the file's units
+  if (factor != 1) asShown_.unit = Unit::None;  // the core's texts give the file's units
   if (text().isEmpty()) return;
   number_ = units.shown(value_, parameter_.unit);
   setProblem({});
@@ -102,7 +102,7 @@ QString NumberField::textOf(double number) const {
                                                 : QString::fromStdString(formatValue(parameter_, number));
 }
 
-// From its beginning: the digits at the end say least.
+// Shows the number from its beginning, because its last digits matter least.
 void NumberField::showNumber() {
   setText(textOf(number_));
   if (!hasFocus()) setCursorPosition(0);
@@ -140,7 +140,7 @@ void NumberField::setProblem(const QString& problem) {
   if (problem == problem_) return;
   problem_ = problem;
   setProperty("invalid", !problem.isEmpty());
-  style()->unpolish(this);  // the style sheet looks at the property
+  style()->unpolish(this);  // the style sheet depends on the property
   style()->polish(this);
   emit problemChanged();
 }
@@ -217,7 +217,7 @@ void NumberField::endDrag(bool keep) {
     take(drag.from);
   }
   setProblem({});
-  ++editSession_;  // what follows is another edit
+  ++editSession_;  // the next change is another edit
   setCursor(hasFocus() ? Qt::IBeamCursor : Qt::SizeHorCursor);
   emit draggingChanged(false);
 }
@@ -239,7 +239,7 @@ void NumberField::mouseMoveEvent(QMouseEvent* event) {
   }
 }
 
-// A click without a drag is the beginning of typing.
+// A click without a drag begins typing.
 void NumberField::mouseReleaseEvent(QMouseEvent* event) {
   if (!drag_) {
     QLineEdit::mouseReleaseEvent(event);
@@ -255,9 +255,9 @@ bool NumberField::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonPress: {
       const auto* mouse = static_cast<QMouseEvent*>(event);
       if (mouse->button() != Qt::LeftButton || !isEnabled()) break;
-      setFocus(Qt::OtherFocusReason);  // so that Escape comes here
+      setFocus(Qt::OtherFocusReason);  // so that the field receives Escape
       beginDrag(mouse->globalPosition().x(), false);
-      return true;  // what lies below would take the focus, and end the drag
+      return true;  // the widget below would take the focus and end the drag
     }
     case QEvent::MouseMove: {
       if (!drag_) break;
@@ -299,7 +299,7 @@ bool NumberField::event(QEvent* event) {
       event->ignore();
       return true;
     }
-    // Cancelling a run is for those who have nothing here to take back.
+    // Escape cancels a run only where this field has nothing to reset.
     if (key->key() == Qt::Key_Escape && (drag_ || !problem_.isEmpty())) {
       event->accept();
       return true;
@@ -312,7 +312,8 @@ bool NumberField::event(QEvent* event) {
   return QLineEdit::event(event);
 }
 
-// Every digit, which the field may be too narrow for, and what the file has where that is something else.
+// The number with every digit, because the field may be too narrow for it, and the value of the file where that
+// differs.
 QString NumberField::help() const {
   QString full = textOf(number_);
   const QString unit = unitText(parameter_.unit, units_);
@@ -350,7 +351,7 @@ void NumberField::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Return:
     case Qt::Key_Enter:
       QLineEdit::keyPressEvent(event);
-      if (problem_.isEmpty() && giveKeysBack(*this)) event->accept();  // dialogs want it themselves
+      if (problem_.isEmpty() && giveKeysBack(*this)) event->accept();  // dialogs handle the key themselves
       return;
     default:
       QLineEdit::keyPressEvent(event);

@@ -14,13 +14,13 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kLeastPlain = 1e-4, kMostPlain = 1e9;
-constexpr double kMostFixed = 1e15;  // doubles have no more decimals
+constexpr double kMostFixed = 1e15;  // doubles have no further decimals
 
 QString infiniteText(double value) {
   return std::isnan(value) ? QStringLiteral("–") : value > 0 ? QStringLiteral("∞") : QStringLiteral("-∞");
 }
 
-/// Of a text in the C locale: how many decimals it needs without the zeros at its end.
+/// The number of decimals in a text of the C locale, without zeros at its end.
 int decimalsOf(const QString& plain) {
   const qsizetype point = plain.indexOf(QLatin1Char('.'));
   if (point < 0) return 0;
@@ -30,7 +30,7 @@ int decimalsOf(const QString& plain) {
 }
 
 QString plainText(double value, int decimals, QLocale::NumberOptions options) {
-  // What rounds to zero has no sign.
+  // A number that is rounded to zero has no sign.
   const QString digits = QString::number(value, 'f', decimals);
   const bool zero =
       std::ranges::none_of(digits, [](QChar c) { return c >= QLatin1Char('1') && c <= QLatin1Char('9'); });
@@ -39,7 +39,7 @@ QString plainText(double value, int decimals, QLocale::NumberOptions options) {
   return locale.toString(zero ? 0.0 : value, 'f', decimals);
 }
 
-// With an "e", which every language reads, and parseNumber() too.
+// Formats with an "e", which every language and parseNumber() read.
 QString exponentText(double value, int digits) {
   return QString::number(value, 'g', digits).replace(QLatin1Char('.'), numberLocale().decimalPoint());
 }

@@ -6,8 +6,8 @@
 namespace footfall::ui {
 namespace {
 
-// Fusion takes the window's colour darkened by 1.4 for outlines: this one comes out as the palette's Dark does in
-// light.
+// Fusion draws outlines in the window's colour darkened by 1.4; this palette makes that the Dark colour of the light
+// palette.
 QPalette withOutline(const QPalette& palette) {
   QPalette changed = palette;
   changed.setColor(QPalette::Window, palette.color(QPalette::WindowText).darker(160));

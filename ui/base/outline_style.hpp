@@ -1,4 +1,4 @@
-// Fusion with outlines that can be seen on dark ground.
+// The Fusion style with outlines that are visible on a dark background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,8 @@
 
 namespace footfall::ui {
 
-/// Fusion draws outlines darker than the window; in a dark window, check boxes and fields would have none.
+/// Fusion draws outlines darker than the window, which makes those of check boxes and fields invisible in a dark
+/// window.
 class OutlineStyle : public QProxyStyle {
   Q_OBJECT
 

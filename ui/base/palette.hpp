@@ -1,4 +1,4 @@
-// The core's colours as Qt's.
+// Converts the core's colours to Qt's.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace footfall::ui {
 
 inline QColor toColour(const Rgb& rgb) { return {rgb[0], rgb[1], rgb[2]}; }
 
-/// The colour with a number: when all have been used, the same ones darker, then lighter.
+/// The colour with a number. After all colours have been used, they repeat darker, then lighter.
 inline QColor numberedColour(std::span<const Rgb> colours, std::size_t number) {
   const QColor colour = toColour(colours[number % colours.size()]);
   const std::size_t round = number / colours.size() % 3;

@@ -10,10 +10,10 @@
 namespace footfall::ui {
 namespace {
 
-// Docks may be dragged so small, in heights of a line: less shows nothing that anybody could use.
+// The least width of a dock, in heights of a line; narrower docks would show nothing useful.
 constexpr int kLeastWidth = 11;
 constexpr int kLeastHeight = 6;
-// A content that takes more of the window's height scrolls, though its dock is to be as high as it.
+// A content that needs more of the window's height scrolls, even if its dock should fit its content.
 constexpr double kMostFitted = 0.3;
 
 bool takesFocus(const QWidget& widget) {
@@ -29,8 +29,8 @@ PanelArea::PanelArea(QWidget* content, QWidget* parent) : QScrollArea(parent) {
   setWidget(content);
 }
 
-// As large as the area, and no smaller than the content can be. A resizable QScrollArea gives contents that wrap the
-// height that they want instead of the one that they need, and lists want a lot.
+// Makes the content as large as the area, and no smaller than its minimum. A resizable QScrollArea would give wrapping
+// contents their preferred height instead of the height that they need, and lists prefer a lot.
 void PanelArea::fit() {
   if (!widget()) return;
   const QSize least = widget()->minimumSizeHint().expandedTo(widget()->minimumSize());
@@ -58,13 +58,13 @@ int PanelArea::contentHeight() const {
   return widget()->hasHeightForWidth() ? widget()->heightForWidth(width) : widget()->sizeHint().height();
 }
 
-// As large as the content wants to be: scroll areas ask for a part of that only.
+// The size that the content prefers; scroll areas would use a part of it.
 QSize PanelArea::sizeHint() const {
   if (!widget()) return QScrollArea::sizeHint();
   return fitsContent_ ? QSize(widget()->sizeHint().width(), contentHeight()) : widget()->sizeHint();
 }
 
-// The same whatever the content is, as docks grow when this does, and do not shrink again.
+// The minimum does not depend on the content, because docks grow with it and do not shrink again.
 QSize PanelArea::minimumSizeHint() const {
   const int line = fontMetrics().height();
   const int least = kLeastHeight * line;
@@ -88,7 +88,7 @@ void PanelArea::resizeEvent(QResizeEvent* event) {
   if (fitsContent_ && event->oldSize().width() != event->size().width()) updateGeometry();
 }
 
-// Docks behind a tab are shown as well, but beside the window.
+// Docks behind a tab count as visible in Qt, but lie beside the window.
 bool isInFront(const QDockWidget& dock) {
   return dock.isVisible() && (dock.isWindow() || (dock.geometry().right() >= 0 && dock.geometry().bottom() >= 0));
 }

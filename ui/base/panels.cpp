@@ -35,7 +35,7 @@ QAction* Panels::addCommand(QDockWidget& dock, const Command& command) {
   return commands_.registerAction(makePanelAction(dock, home_, &window_), command);
 }
 
-// One behind the other: each has the whole height, and the tabs say what there is.
+// Docks lie one behind the other: each has the whole height, and the tabs show which ones exist.
 void Panels::place(QDockWidget* dock, Qt::DockWidgetArea area) {
   for (QDockWidget* other : window_.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly)) {
     const bool list = other->objectName() == QStringLiteral("filterDock");

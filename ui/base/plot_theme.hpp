@@ -1,4 +1,4 @@
-// Plots in the colours of the theme.
+// Gives plots the colours of the theme.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// Gives a plot's background, axes, labels and grids the colours of its palette, and again when that changes. Belongs
-/// to the plot; make it once the plot has its axes.
+/// Sets the colours of a plot's background, axes, labels and grids from its palette, and again when that changes. The
+/// plot owns it; make it once the plot has its axes.
 class PlotTheme : public QObject {
   Q_OBJECT
 
@@ -25,7 +25,7 @@ class PlotTheme : public QObject {
   QCustomPlot* plot_;
 };
 
-/// Lines and areas of a plot that say nothing by their colour.
+/// The colour of lines and areas of a plot that carries no meaning.
 QColor plotLineColour();
 QColor plotAreaColour();
 

@@ -1,4 +1,4 @@
-// Numbers above 0 that are no filter's parameters, for fields like those of the filters.
+// Descriptors of positive numbers that belong to no filter, for fields like those of the filters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -25,8 +25,8 @@ double interpolate(const std::vector<ProcessorSample>& samples, double at, doubl
   return before.*value + part * ((*after).*value - before.*value);
 }
 
-// For each thread but the first: how long it has waited for a processor (/proc/PID/task/TID/schedstat has processor
-// time, waiting time and time slices, in nanoseconds). Empty where the system does not say.
+// How long each thread but the first has waited for a processor. /proc/PID/task/TID/schedstat has processor time,
+// waiting time and time slices, in nanoseconds. Empty where the system does not report it.
 std::map<int, double> waitedOfThreads() {
   std::map<int, double> waited;
 #ifdef __linux__
@@ -70,7 +70,7 @@ void ProcessorWatch::sample() {
     const auto before = before_.find(thread);
     sample.waitedMs += waited - (before == before_.end() ? 0 : before->second);
   }
-  // Threads that have ended count no more; what they had waited stays.
+  // Ended threads are no longer counted, but the time that they waited stays.
   sample.waitedMs = std::max(sample.waitedMs, samples_.back().waitedMs);
   samples_.push_back(sample);
 }

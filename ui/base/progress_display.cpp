@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kTellAfterSeconds = 1.5;  // before, a guess would be wild
+constexpr double kTellAfterSeconds = 1.5;  // an earlier guess would be wild
 constexpr double kTellFromFraction = 0.03;
 constexpr int kTickMs = 500;
 constexpr int kMoveMs = 250;
@@ -22,7 +22,7 @@ constexpr double kSmoothing = 0.3;  // weight of the newest estimate
 }  // namespace
 
 void showTaskbarProgress(double fraction) {
-  // Without an address, asking for the bus would start one.
+  // Connecting to the bus without an address would start a bus.
   if (!qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS")) return;
   QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return;
@@ -44,7 +44,7 @@ void TimeLeft::begin() { shown_.reset(); }
 std::optional<double> TimeLeft::estimate(double elapsedSeconds, double fraction) {
   if (elapsedSeconds < kTellAfterSeconds || fraction < kTellFromFraction || fraction > 1) return std::nullopt;
   const double now = elapsedSeconds * (1 - fraction) / fraction;
-  // What was told before has shrunk by what has passed since.
+  // The earlier estimate has shrunk by the time since.
   shown_ = shown_ ? (1 - kSmoothing) * std::max(0.0, *shown_ - (elapsedSeconds - at_)) + kSmoothing * now : now;
   at_ = elapsedSeconds;
   return shown_;
@@ -93,7 +93,7 @@ ProgressDisplay::ProgressDisplay(QWidget* parent) : QWidget(parent) {
 }
 
 void ProgressDisplay::showProgress(double fraction, std::optional<double> secondsLeft) {
-  // Other work, or the same once more.
+  // Other work has begun, or the same work again.
   if (isHidden() || fraction < 0 || fraction < lastFraction_) {
     elapsed_.start();
     left_.begin();
@@ -111,8 +111,8 @@ void ProgressDisplay::showProgress(double fraction, std::optional<double> second
   showTaskbarProgress(std::max(0.0, fraction));
 }
 
-// The style moves a bar of unknown share 60 times a second, and each time the whole window is composed anew: where no
-// graphics hardware does that, it took half of a processor from what is waited for.
+// The style moves a busy indicator 60 times a second, and each time Qt composes the whole window. Without graphics
+// hardware, that took half of a processor from the work itself.
 bool ProgressDisplay::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::StyleAnimationUpdate) {
     if (sinceMoved_.isValid() && sinceMoved_.elapsed() < kMoveMs) {
@@ -125,7 +125,7 @@ bool ProgressDisplay::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ProgressDisplay::showTime() {
-  // Of work without any measure, such as reading a file, the bar says enough.
+  // The bar suffices for work without a measure, such as reading a file.
   const double now = static_cast<double>(elapsed_.elapsed()) / 1000;
   const QString text = lastFraction_ < 0 ? QString() : timeLeftText(end_.at(now));
   if (text == time_->text() && time_->isHidden() == text.isEmpty()) return;

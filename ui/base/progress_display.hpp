@@ -1,4 +1,4 @@
-// How far long work is: in the status bar with the time left, and in the task bar.
+// Shows the progress of long work in the status bar, with the time left, and in the task bar.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,15 +13,16 @@
 
 namespace footfall::ui {
 
-/// Tells the desktop's task bar: LauncherEntry's signal "Update", which Unity's successors, KDE's and other panels show
-/// on the icon of the program. Nobody need listen. `fraction` below 0: no progress.
+/// Sends the progress to the desktop's task bar by LauncherEntry's signal "Update", which panels of KDE and others show
+/// on the program's icon. It has no effect without such a panel. `fraction` below 0: no progress.
 void showTaskbarProgress(double fraction);
 
-/// Time left from how long a share of the work took. Says nothing of the first moments, and changes smoothly.
+/// Estimates the time left from the time that a share of the work took. Gives no estimate in the first moments, and
+/// changes smoothly.
 class TimeLeft {
  public:
   void begin();
-  /// Seconds; nothing while it cannot be told. Elapsed and fraction of the same work.
+  /// Seconds left; empty while they cannot be estimated. Both arguments belong to the same work.
   std::optional<double> estimate(double elapsedSeconds, double fraction);
 
  private:
@@ -29,9 +30,10 @@ class TimeLeft {
   double at_ = 0;
 };
 
-/// "about 12 s left": rounded, as it is an estimate.
+/// A rounded text of an estimate: "about 12 s left".
 QString timeLeftText(double seconds);
-/// The same, or that it takes longer than estimated, or that nobody knows; empty while it is too early.
+/// The text of an estimate: the time left, that the work takes longer than estimated, or that no estimate is possible;
+/// empty while it is too early.
 QString timeLeftText(const EndEstimate::Told& told);
 
 class ProgressDisplay : public QWidget {
@@ -40,8 +42,8 @@ class ProgressDisplay : public QWidget {
  public:
   explicit ProgressDisplay(QWidget* parent = nullptr);
 
-  /// `fraction` below 0: unknown. The time left is estimated unless `secondsLeft` says it (infinite: nobody knows).
-  /// What is said of it goes on with the clock, also while nothing is told.
+  /// `fraction` below 0 means unknown. The time left is estimated unless `secondsLeft` has it (infinite: unknown). The
+  /// shown time continues with the clock between two calls.
   void showProgress(double fraction, std::optional<double> secondsLeft = {});
   void finish();
 
@@ -57,7 +59,7 @@ class ProgressDisplay : public QWidget {
   QLabel* time_;
   QElapsedTimer elapsed_;
   QTimer tick_;
-  QElapsedTimer sinceMoved_;  ///< the bar, where the share is unknown
+  QElapsedTimer sinceMoved_;  ///< time since a bar of unknown share moved
   TimeLeft left_;
   EndEstimate end_;
   double lastFraction_ = -1;

@@ -1,4 +1,4 @@
-// Files that were opened lately, kept in the user's settings.
+// The files that were opened last, kept in the user's settings.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,9 +14,9 @@ class RecentFiles : public QObject {
  public:
   explicit RecentFiles(QObject* parent = nullptr);
 
-  /// Filled anew whenever it opens.
+  /// The menu is filled whenever it opens.
   void attachTo(QMenu* menu);
-  /// Puts a file first; the oldest beyond the tenth goes.
+  /// Puts a file first; the oldest file after the tenth is dropped.
   void add(const QString& path);
   void remove(const QString& path);
   [[nodiscard]] QStringList paths() const;

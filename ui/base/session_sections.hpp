@@ -1,4 +1,4 @@
-// What features keep in sessions.
+// The sections that features save in sessions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,12 @@
 
 namespace footfall::ui {
 
-/// What a feature keeps in sessions, as a JSON text.
+/// A section that a feature saves in sessions, as a JSON text.
 struct SessionSection {
   QString name;
   std::function<std::string()> save;
-  /// Gets an empty text where the session has none of it. Throws std::exception with what is wrong; the message is
-  /// shown and the rest of the session counts.
+  /// Receives an empty text where the session does not have the section. Throws std::exception with the problem; the
+  /// message is shown and the rest of the session is loaded.
   std::function<void(const std::string&)> load;
 };
 
@@ -28,11 +28,11 @@ class SessionSections : public QObject {
 
   void add(SessionSection section) { sections_.push_back(std::move(section)); }
   [[nodiscard]] std::map<std::string, std::string> save() const;
-  /// failed() follows for each section that is wrong.
+  /// failed() is emitted for each section with a problem.
   void load(const std::map<std::string, std::string>& sections);
 
  signals:
-  /// Features emit it after a change of what they save.
+  /// Features emit it when data that they save has changed.
   void changed();
   void failed(const QString& message);
 

@@ -74,7 +74,7 @@ ShortcutWindow::ShortcutWindow(const CommandRegistry& commands, QWidget* parent)
   connect(search_, &QLineEdit::textChanged, this, &ShortcutWindow::filter);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   resize(std::min(860, parent->width() - 60), std::min(640, parent->height() - 60));
-  // What commands do is longer than all else, and is read most.
+  // Descriptions of commands are the longest texts, and are read most.
   for (const auto& [column, share] : {std::pair{0, 0.36}, std::pair{1, 0.24}})
     table_->setColumnWidth(column, std::min(table_->columnWidth(column), static_cast<int>(share * width())));
   search_->setFocus();

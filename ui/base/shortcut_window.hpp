@@ -1,4 +1,4 @@
-// F1: every key and what the mouse does, searchable.
+// The window of all keys and mouse actions (F1), with a search field.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,8 +10,8 @@ namespace footfall::ui {
 
 class CommandRegistry;
 
-/// Commands with keys by menu, then those without, and what the mouse and the keys do in the view and in the list.
-/// Filled when it opens: commands come and go.
+/// Lists commands with keys by menu, then commands without keys, then the keys and mouse actions of the view and the
+/// list. It is filled when it opens, because commands change.
 class ShortcutWindow : public QDialog {
   Q_OBJECT
 

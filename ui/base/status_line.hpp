@@ -1,4 +1,4 @@
-// What the status bar says, and for how long.
+// The texts of the status bar, and how long each is shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,30 +10,30 @@
 
 namespace footfall::ui {
 
-/// Whom a text in the status bar is about.
+/// The subject of a text in the status bar.
 enum class StatusSubject {
-  State,    ///< the level: the last result, a run that was cancelled
-  Drawing,  ///< the result is there and its picture is not
-  Work,     ///< loading, running, writing; ends with it
-  Tool,     ///< the tool that has the mouse; ends with it
-  Note      ///< something that was done; ends after a while
+  State,    ///< the level: the last result, a cancelled run
+  Drawing,  ///< the result is computed but not drawn yet
+  Work,     ///< loading, running, writing; ends with the work
+  Tool,     ///< the active tool; ends with the tool
+  Note      ///< a finished action; ends after a while
 };
 
-/// The text that came last is shown, until its subject ends: then the one before it is shown again.
+/// Shows the latest text until its subject ends, and then the text before it.
 class StatusLine : public ElidedLabel {
   Q_OBJECT
 
  public:
   explicit StatusLine(QWidget* parent = nullptr);
 
-  /// Replaces what was said of the same subject. An empty text ends it.
+  /// Replaces the text of the same subject. An empty text ends the subject.
   void say(StatusSubject subject, const QString& text);
   void end(StatusSubject subject);
-  /// The State, with all of it in the tool tip.
+  /// Sets the text of State, with the whole text in the tool tip.
   void setState(const QString& text, const QString& toolTip = {});
-  /// The State, whatever is shown at present.
+  /// The text of State, whatever is shown at present.
   [[nodiscard]] QString state() const;
-  /// Stands before whatever is said of a Tool; empty: nothing does.
+  /// A remark in front of any text of Tool; empty: none.
   void setToolRemark(const QString& remark);
   void setNoteDuration(int ms) { noteTimer_.setInterval(ms); }
 
@@ -44,7 +44,7 @@ class StatusLine : public ElidedLabel {
   };
   void showLast();
 
-  std::vector<Said> said_;  ///< the latest at the end
+  std::vector<Said> said_;  ///< the latest is at the end
   QString stateToolTip_, toolRemark_;
   QTimer noteTimer_;
 };

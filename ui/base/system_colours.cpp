@@ -20,7 +20,7 @@ const auto kGroup = QStringLiteral("org.freedesktop.appearance");
 const auto kSchemeKey = QStringLiteral("color-scheme");
 const auto kLastAnswer = QStringLiteral("systemColours");
 
-// Without an address, asking for the bus would start one.
+// Connecting to the bus without an address would start a bus.
 bool hasSessionBus() {
   return qEnvironmentVariableIsSet("DBUS_SESSION_BUS_ADDRESS") ||
          QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));

@@ -1,4 +1,4 @@
-// What the desktop says about light and dark; Qt itself tells from version 6.5 on.
+// The desktop's preference for light or dark colours; Qt itself reports it only from version 6.5 on.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,14 +11,14 @@ class QDBusPendingCallWatcher;
 
 namespace footfall::ui {
 
-/// Asks the desktop portal (org.freedesktop.appearance, color-scheme), which GNOME, KDE and others answer, and follows
-/// it. Where there is no portal or it has no preference, the palette that the desktop gave Qt decides. Never waits: the
-/// last answer, kept in the settings, holds until the portal has answered.
+/// Reads the preference from the desktop portal (org.freedesktop.appearance, color-scheme), which GNOME, KDE and others
+/// implement, and follows its changes. Where there is no portal or no preference, the palette that the desktop gave Qt
+/// decides. Reading never waits: the last value, kept in the settings, applies until the portal has replied.
 class SystemColours : public QObject {
   Q_OBJECT
 
  public:
-  /// Before the program sets a palette of its own.
+  /// Construct it before the program sets a palette of its own.
   explicit SystemColours(QObject* parent = nullptr);
 
   [[nodiscard]] bool dark() const { return portal_.value_or(paletteDark_); }
@@ -36,7 +36,8 @@ class SystemColours : public QObject {
   std::optional<bool> portal_;
 };
 
-/// What a value of color-scheme means: 1 dark, 2 light, all else no preference. Portals wrap it in variants.
+/// The meaning of a color-scheme value: 1 is dark, 2 is light, all others are no preference. Portals wrap the value in
+/// variants.
 std::optional<bool> darkFromPortal(QVariant value);
 
 }  // namespace footfall::ui

@@ -15,15 +15,15 @@ namespace {
 const auto kSetting = QStringLiteral("theme");
 constexpr std::array<const char*, 3> kChoiceNames = {"system", "light", "dark"};
 
-// Both members of a pair, light and dark.
+// A pair of colours, for light and for dark.
 struct Shades {
   const char* light;
   const char* dark;
   [[nodiscard]] QColor of(bool isDark) const { return {QLatin1String(isDark ? dark : light)}; }
 };
 
-// What the style sheet needs beyond the palette's roles, by the names that it has there. The longest first: one name
-// may begin like another.
+// Colours of the style sheet beyond the palette's roles, by their names in it. Longer names come first, because one
+// name may begin like another.
 constexpr std::array<std::pair<const char*, Shades>, 13> kNamed = {{
     {"@accentSoft", {"#e3f0f9", "#1d3a4d"}},
     {"@accent", {"#0072b2", "#56b4e9"}},
@@ -125,7 +125,8 @@ void Theme::apply() {
   if (applied_ == dark) return;
   applied_ = dark;
   QApplication::setPalette(themePalette(dark));
-  qApp->setStyleSheet(themeStyleSheet(dark));  // again, as it keeps the colours of the palette that it met
+  // set again, because it keeps the colours of the palette at the time it was set
+  qApp->setStyleSheet(themeStyleSheet(dark));
 }
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Light and dark: the palette, the style sheet, and who decides which of them holds.
+// The light and dark themes: their palettes, their style sheet, and the choice between them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,21 +13,21 @@ class SystemColours;
 
 enum class ThemeChoice { System, Light, Dark };
 
-/// Whether the program is dark at the moment: what draws with colours of its own asks here, whenever it draws. Widgets
-/// hear of a change through QEvent::PaletteChange.
+/// Returns whether the program is dark at the moment. Code that draws with colours of its own calls this whenever it
+/// draws; a change sends QEvent::PaletteChange to widgets.
 bool isDarkTheme();
 
-/// Colours of all widgets. Text has a contrast of at least 4.5 to 1 to what it stands on (WCAG 2.1, 1.4.3).
+/// The colours of all widgets. Text has a contrast of at least 4.5 to 1 to its background (WCAG 2.1, 1.4.3).
 QPalette themePalette(bool dark);
 
 /// theme.qss with its names (@error, @rowEdge, ...) replaced by colours.
 QString themeStyleSheet(bool dark);
 
-/// Text on the palette's colours that belongs to no role: problems and notes.
+/// Colours of problems and notes, for which palettes have no role.
 QColor errorTextColour();
 QColor fainterTextColour();
 
-/// The user's choice, kept in the settings, and what follows from it; one for the program. Needs a QApplication.
+/// The user's choice of a theme, kept in the settings, and its application. The program has one. Needs a QApplication.
 class Theme : public QObject {
   Q_OBJECT
 
@@ -38,9 +38,9 @@ class Theme : public QObject {
   [[nodiscard]] ThemeChoice choice() const { return choice_; }
   /// Takes effect at once, in all windows.
   void setChoice(ThemeChoice choice);
-  /// The same without keeping it, for pictures.
+  /// Shows a theme without saving the choice, for pictures.
   void show(ThemeChoice choice);
-  /// The one of the program; null before prepareApplication().
+  /// The program's theme; null before prepareApplication().
   static Theme* instance();
 
  signals:

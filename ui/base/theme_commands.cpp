@@ -25,7 +25,7 @@ void addThemeCommands(CommandRegistry& commands) {
     command.submenu = ThemeCommands::tr("T&heme");
     QAction* action = commands.add(command, [choice](bool on) {
       Theme* theme = Theme::instance();
-      // What is shown for this time only must not become the user's choice.
+      // A theme that is shown for this session only must not become the user's choice.
       if (on && theme && theme->choice() != choice) theme->setChoice(choice);
     });
     group->addAction(action);

@@ -1,4 +1,4 @@
-// Light, dark, or as the system, in the menu View.
+// The commands of the menu View for light, dark and system colours.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -6,7 +6,7 @@
 
 namespace footfall::ui {
 
-/// Needs Theme::instance(), and does nothing without.
+/// Needs Theme::instance(), and does nothing without it.
 void addThemeCommands(CommandRegistry& commands);
 
 }  // namespace footfall::ui

@@ -8,22 +8,23 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kTelling = 0.05;  // of a step's work, before its own pace says more than an earlier run
-constexpr double kFarBeyond = 2;   // times what a step was expected to take
+// share of a step's work after which its own pace is more reliable than an earlier run
+constexpr double kTelling = 0.05;
+constexpr double kFarBeyond = 2;  // factor on the expected time of a step
 constexpr double kPatienceMs = 2000;
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
-// Of a step that tells nothing of its progress: it has taken so long that what is known says nothing any more.
+// A step that reports no progress has taken so much longer than expected that the expectation is useless.
 bool isBeyond(const StepTime& step, double expectedMs) {
   return step.fraction <= kTelling && step.elapsedMs > kFarBeyond * expectedMs && step.elapsedMs > kPatienceMs;
 }
 
-// Of a step that has begun.
+// The time left of a step that has begun.
 std::optional<double> restOf(const StepTime& step) {
   const bool telling = step.fraction > kTelling && step.elapsedMs > 0;
   const double byPace = telling ? step.elapsedMs * (1 - step.fraction) / step.fraction : 0;
   if (telling && step.expectedMs) {
-    // The further it is, the more its own pace counts.
+    // The step's own pace counts more the further it is.
     const double byBefore = std::max(0.0, *step.expectedMs - step.elapsedMs);
     return step.fraction * byPace + (1 - step.fraction) * byBefore;
   }
@@ -33,10 +34,10 @@ std::optional<double> restOf(const StepTime& step) {
 }
 
 constexpr double kGrace = 1;            // seconds that an end may be late
-constexpr double kGraceShare = 0.5;     // and of the time that was promised
-constexpr double kMuchLonger = 2;       // than was promised
-constexpr double kUnknownAfter = 5;     // seconds without anything to go by
-constexpr double kBelievedAgain = 0.1;  // of the work, after a broken promise
+constexpr double kGraceShare = 0.5;     // plus this share of the promised time
+constexpr double kMuchLonger = 2;       // factor on the promised time
+constexpr double kUnknownAfter = 5;     // seconds without a basis for an estimate
+constexpr double kBelievedAgain = 0.1;  // share of the work after a broken promise
 
 }  // namespace
 
@@ -85,7 +86,7 @@ void EndEstimate::update(double now, double fraction, std::optional<double> seco
     promised_.reset();
   }
   const bool isFinite = left_ && std::isfinite(*left_);
-  // Who is told in time of a much later end is not deceived.
+  // A much later end that is announced in time is no broken promise.
   const bool isMuchLater =
       isFinite && promised_ && !lateSince_ && *left_ >= kMuchLonger * (*promised_ - promisedAt_) && *left_ > kGrace;
   if (isFinite && (!promised_ || isMuchLater)) {

@@ -1,4 +1,4 @@
-// How long a run may still take.
+// Estimates how much longer a run takes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,30 +8,28 @@
 namespace footfall::ui {
 
 struct StepTime {
-  std::optional<double> expectedMs;  ///< what the step took before, with these or other values
+  std::optional<double> expectedMs;  ///< time of an earlier run of the step, with these or other values
   double elapsedMs = 0;              ///< since it began; 0 before
-  double fraction = 0;               ///< how much of it is done, as it last said
+  double fraction = 0;               ///< last reported progress
   bool finished = false;
 };
 
-/// Milliseconds until the last step has finished; nothing while there is nothing to go by. A step that has told enough
-/// of its progress is taken at its word; one that has not is expected to take what it took before. Steps that have
-/// never run are as long as what is known of the others on average. Infinite when a step has outlived all that without
-/// telling of its progress: its work is not known to its end.
+/// Milliseconds until the last step has finished; empty while there is no basis. A step that has reported enough
+/// progress is extrapolated; any other step is expected to take as long as before. Steps that have never run are
+/// expected to take the average of the others. Infinite when a step has far exceeded this without reporting progress.
 std::optional<double> remainingMs(const std::vector<StepTime>& steps);
 
-/// What steps that have not begun take in all; those that have never run count as nothing.
+/// The expected time of all steps that have not begun; steps that have never run count as 0.
 double expectedMs(const std::vector<StepTime>& steps);
 
-/// What can be said of the end of some work, from what was told of it and from the time that has passed since. Times
-/// are in seconds on any clock that does not go back.
+/// The announced end of some work, from its estimates and the time since. Times are in seconds on any monotonic clock.
 class EndEstimate {
  public:
   enum class Kind {
     Nothing,  ///< it is too early
-    Left,     ///< so many seconds are left
-    Late,     ///< it takes longer than was estimated; how much is unknown
-    Unknown   ///< it takes a while, and there is nothing to go by
+    Left,     ///< seconds are left
+    Late,     ///< it takes longer than estimated, by an unknown time
+    Unknown   ///< it takes a while, and there is no basis for an estimate
   };
   struct Told {
     Kind kind = Kind::Nothing;
@@ -39,9 +37,10 @@ class EndEstimate {
   };
 
   void begin(double now);
-  /// `fraction` of the work is done; below 0: unknown. `secondsLeft` are estimated; infinite: nobody knows.
+  /// `fraction` is the share of the work that is done; below 0: unknown. `secondsLeft` is an estimate; infinite:
+  /// unknown.
   void update(double now, double fraction, std::optional<double> secondsLeft);
-  /// A promised end that has passed makes no other one believed until a tenth of the whole work has been done since.
+  /// After a promised end has passed, no estimate is used until another tenth of the whole work is done.
   [[nodiscard]] Told at(double now) const;
 
  private:
@@ -49,11 +48,11 @@ class EndEstimate {
 
   double begun_ = 0;
   double fraction_ = -1;
-  double updated_ = 0;  ///< when update() gave `left_`
+  double updated_ = 0;  ///< time of the update that set `left_`
   std::optional<double> left_;
-  std::optional<double> promised_;  ///< the end, as it was first estimated
+  std::optional<double> promised_;  ///< the end, as first estimated
   double promisedAt_ = 0;
-  std::optional<double> lateSince_;  ///< the fraction at which the promise was broken
+  std::optional<double> lateSince_;  ///< fraction at which the promise was broken
 };
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Words of functions that belong to no class.
+// tr() for functions that belong to no class.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace footfall::ui {
 
-/// Where a class is, its own tr() hides this one; lupdate files what stands in the namespace under the same name.
+/// The tr() of a class hides this one inside the class; lupdate files both under the same context.
 inline QString tr(const char* text, const char* comment = nullptr, int n = -1) {
   return QCoreApplication::translate("footfall::ui", text, comment, n);
 }

@@ -31,10 +31,10 @@ void install(const QLocale& locale, const QString& file, const QString& folder) 
   }
 }
 
-// "Deutsch", in the language itself: who looks for it can read it.
+// The language's name in itself, such as "Deutsch".
 QString nameOf(const QString& code) {
   QString name = QLocale(code).nativeLanguageName();
-  // Qt says "American English" where there is only one.
+  // Qt names it "American English" where there is only one English.
   if (code == QLatin1String("en")) name = QStringLiteral("English");
   return name.isEmpty() ? code : name;
 }
@@ -58,7 +58,7 @@ void chooseLanguage(const QString& code) { QSettings().setValue(kLanguageKey, co
 void loadTranslations(const QString& forced) {
   const QString code = forced.isEmpty() ? chosenLanguage() : forced;
   const QLocale locale = code.isEmpty() ? QLocale::system() : QLocale(code);
-  QLocale::setDefault(locale);  // numbers and dates with the words
+  QLocale::setDefault(locale);  // numbers and dates follow the language
   const QString qtFolder = QLibraryInfo::path(QLibraryInfo::TranslationsPath);
   install(locale, QStringLiteral("qtbase_"), qtFolder);
   // English has a translation for its plurals; every other language falls back to it.
@@ -81,7 +81,7 @@ void addLanguageCommands(CommandRegistry& commands) {
     QAction* action = commands.add(command, [](bool) {});
     action->setChecked(chosenLanguage() == code);
     group->addAction(action);
-    // Checked by hand: what is shown at the start is no choice.
+    // The action is connected to triggered(), because the initial state is not a choice.
     QObject::connect(action, &QAction::triggered, action, [code] { chooseLanguage(code); });
   };
   const QString help = Language::tr("Takes effect when Footfall is started the next time");

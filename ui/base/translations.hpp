@@ -9,19 +9,19 @@ namespace footfall::ui {
 
 class CommandRegistry;
 
-/// Languages that there are translations for, as codes: "en" and others. Found among the resources.
+/// The codes of languages with a translation, among them "en". They are found among the resources.
 QStringList languages();
 
-/// The user's choice; empty: as the system.
+/// The user's choice; empty: the system's language.
 QString chosenLanguage();
-/// Kept in the settings; holds from the next start on.
+/// Saves the choice in the settings; it applies from the next start on.
 void chooseLanguage(const QString& code);
 
-/// Loads the texts in the chosen language (the system's where none is chosen), Qt's own included, before any window is
-/// made. `forced` overrules the choice without changing it. Texts without a translation stay English.
+/// Loads the texts in the chosen language (the system's where none is chosen), including Qt's own, before any window is
+/// made. `forced` overrides the choice without changing it. Texts without a translation stay English.
 void loadTranslations(const QString& forced = {});
 
-/// The submenu Language in the menu View.
+/// Adds the submenu Language to the menu View.
 void addLanguageCommands(CommandRegistry& commands);
 
 }  // namespace footfall::ui

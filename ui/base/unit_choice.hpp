@@ -1,4 +1,4 @@
-// Which unit lengths are shown and typed in: the user's choice, and the loaded level's scale and axes.
+// The unit in which lengths are shown and typed: the user's choice, and the loaded level's scale and axes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,11 +16,11 @@ class UnitChoice : public QObject {
   explicit UnitChoice(QObject* parent = nullptr);
 
   [[nodiscard]] const LevelUnits& units() const { return units_; }
-  /// The unit that is wanted wherever the scale is known; kept in the user's settings.
+  /// Sets the unit that is used wherever the scale is known; kept in the user's settings.
   void choose(LengthUnit unit);
-  /// A session's own wish, which the settings do not learn of; nothing: the user's again.
+  /// Sets the unit of a session without changing the settings; empty: the user's choice again.
   void useForSession(std::optional<LengthUnit> unit);
-  /// Takes scale and axes of a level that has been loaded, or whose scale has been changed.
+  /// Sets scale and axes after a level has been loaded, or its scale changed.
   void setLevel(const Environment& level);
 
  signals:

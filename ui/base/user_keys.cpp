@@ -41,7 +41,7 @@ QList<QKeySequence> UserKeys::usualKeysOf(const QString& id) const {
 QString UserKeys::ownerOf(const QKeySequence& key, const QString& id) const {
   if (key.isEmpty()) return {};
   for (const CommandRegistry::Entry& entry : commands_.entries()) {
-    const bool isElsewhere = entry.action->shortcutContext() == Qt::WidgetShortcut;  // a list's own
+    const bool isElsewhere = entry.action->shortcutContext() == Qt::WidgetShortcut;  // the key of a list
     if (entry.command.id != id && !isElsewhere && entry.action->shortcuts().contains(key)) return entry.command.id;
   }
   return {};

@@ -9,7 +9,7 @@
 
 namespace footfall::ui {
 
-/// Kept in the settings, and given to the commands of one window as they come.
+/// Keeps changed keys in the settings, and sets them on the commands of one window as they are added.
 class UserKeys : public QObject {
   Q_OBJECT
 
@@ -17,11 +17,11 @@ class UserKeys : public QObject {
   UserKeys(CommandRegistry& commands, QObject* parent);
 
   [[nodiscard]] QList<QKeySequence> keysOf(const QString& id) const;
-  /// The keys that the program gives.
+  /// The program's default keys.
   [[nodiscard]] QList<QKeySequence> usualKeysOf(const QString& id) const;
-  /// The command that has the key, but for `id`; empty where none has.
+  /// The command other than `id` that has the key; empty where none has it.
   [[nodiscard]] QString ownerOf(const QKeySequence& key, const QString& id) const;
-  /// An empty one takes the keys away.
+  /// An empty key removes the keys.
   void setKey(const QString& id, const QKeySequence& key);
   void reset(const QString& id);
   void resetAll();
