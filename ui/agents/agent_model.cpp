@@ -23,7 +23,7 @@ AgentModel::AgentModel(Document& document, RunController& controller, AgentResul
   follow();
 }
 
-// A reset would end an edit under way: only where rows have come or gone.
+// The model is reset only where rows were added or removed, because a reset would end editing in the table.
 void AgentModel::follow() {
   std::vector<int> ids;
   for (const NamedAgent& agent : document_.state().agents) ids.push_back(agent.id);
@@ -90,7 +90,7 @@ QString AgentModel::textIn(const NamedAgent& agent, int column) const {
   }
 }
 
-// In the file's units, where they are not shown.
+// A length in the file's units, where the table shows other units.
 QString AgentModel::lengthHelp(double length) const {
   return units_.factor() == 1 ? QString() : tr("%1 units of the file").arg(shortText(length));
 }

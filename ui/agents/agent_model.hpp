@@ -1,4 +1,4 @@
-// A document's agents and what is known of their results, as a table.
+// A table model of a document's agents and the known figures of their results.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -35,13 +35,13 @@ class AgentModel : public QAbstractTableModel {
   AgentModel(Document& document, RunController& controller, AgentResults& results, QObject* parent = nullptr);
 
   void setUnits(const LevelUnits& units);
-  /// 0: no agent.
+  /// The agent's id; 0: no agent.
   [[nodiscard]] int agentAt(int row) const;
-  /// -1: not there.
+  /// The row of an agent; -1: not there.
   [[nodiscard]] int rowOf(int agent) const;
-  /// The size that a column shows; nothing for other columns.
+  /// The size that a column shows; empty for other columns.
   [[nodiscard]] static std::optional<AgentSize> sizeIn(int column);
-  /// Titles and all rows, as the table shows them.
+  /// The titles and all rows, as the table shows them.
   [[nodiscard]] std::vector<QStringList> rows() const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -49,7 +49,7 @@ class AgentModel : public QAbstractTableModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// A value out of range is refused, and failed() says why.
+  /// Refuses a value out of range; failed() is emitted with the reason.
   bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
 
  signals:
@@ -67,9 +67,9 @@ class AgentModel : public QAbstractTableModel {
   std::vector<int> ids_;
 };
 
-/// Columns as wide as their widest cell.
+/// Plain text with columns as wide as their widest entry.
 QString tableText(const std::vector<QStringList>& rows);
-/// RFC 4180: quotes where they are needed.
+/// CSV by RFC 4180, with quotes where they are needed.
 QString tableCsv(const std::vector<QStringList>& rows);
 
 }  // namespace footfall::ui

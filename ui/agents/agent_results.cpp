@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kKnown = 200;  // figures: a few words each
+constexpr std::size_t kKnown = 200;  // entries of a few words each
 
 }  // namespace
 
@@ -50,7 +50,7 @@ void AgentResults::computeAll() {
   controller_.runAhead(std::move(wanted));
 }
 
-// Counts what has become known.
+// Counts results that have become available.
 void AgentResults::look() {
   if (environment_ != controller_.environment() || known_.size() > kKnown) {
     environment_ = controller_.environment();
@@ -69,7 +69,7 @@ void AgentResults::look() {
       try {
         figures = figuresOf(*run, *context);
       } catch (const std::exception&) {
-        return;  // cancelled, or memory ran out: then there are none
+        return;  // counting was cancelled, or memory ran out: there are no figures
       }
       const auto keep = [this, key, figures, context] {
         if (context != counting_) return;

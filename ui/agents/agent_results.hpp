@@ -1,4 +1,4 @@
-// What is known of the results of each agent, to compare them.
+// The known results of each agent, for comparison.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,13 +16,13 @@
 namespace footfall::ui {
 
 struct AgentFigures {
-  double area = 0;             ///< walkable, of the surface, in square units
-  std::size_t layers = 0;      ///< 0: no filter made any
-  std::size_t components = 0;  ///< that hang together over shared edges: where an agent gets to without leaving it
+  double area = 0;             ///< walkable area of the surface, in square units
+  std::size_t layers = 0;      ///< number of layers; 0: no filter made any
+  std::size_t components = 0;  ///< components connected over shared edges: areas that an agent does not leave
   std::size_t connections = 0;
 };
 
-/// Counts in the background. Figures stay known when the result itself had to go.
+/// Counts in the background. Figures are kept after their result has been dropped.
 class AgentResults : public QObject {
   Q_OBJECT
 
@@ -30,9 +30,9 @@ class AgentResults : public QObject {
   AgentResults(Document& document, RunController& controller, QObject* parent = nullptr);
   ~AgentResults() override;
 
-  /// What the filters, as the list has them, give for this agent; nothing while that is not known.
+  /// The figures of the list's filters for this agent; empty while they are not known.
   [[nodiscard]] std::optional<AgentFigures> figures(int agent) const;
-  /// Whether switching to the agent shows its result without a run.
+  /// Returns whether the agent's result can be shown without a run.
   [[nodiscard]] bool ready(int agent) const;
   /// Runs all agents that are not ready, in the background.
   void computeAll();
@@ -45,10 +45,10 @@ class AgentResults : public QObject {
 
   Document& document_;
   RunController& controller_;
-  std::shared_ptr<const Environment> environment_;            // that all of this belongs to
+  std::shared_ptr<const Environment> environment_;            // environment that all figures belong to
   std::map<std::string, std::optional<AgentFigures>> known_;  // by enabled steps; empty: being counted
   std::shared_ptr<RunContext> counting_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };
 
 AgentFigures figuresOf(const FinishedRun& run, const RunContext& context);

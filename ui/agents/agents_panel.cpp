@@ -21,7 +21,7 @@
 namespace footfall::ui {
 namespace {
 
-/// Numbers are typed into the same fields as those of the filters.
+/// Edits numbers in the same fields as those of the filters.
 class AgentDelegate : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -30,7 +30,7 @@ class AgentDelegate : public QStyledItemDelegate {
     if (!size) return QStyledItemDelegate::createEditor(parent, option, index);
     return new NumberField(parameterOf(*size), parent);
   }
-  // Once: the table is told of runs while somebody types, and must not take the text away.
+  // The editor is filled once, because the table is updated by runs while the user types.
   void setEditorData(QWidget* editor, const QModelIndex& index) const override {
     if (editor->property("filled").toBool()) return;
     editor->setProperty("filled", true);
@@ -177,7 +177,7 @@ void AgentsPanel::activate(int row) {
 
 void AgentsPanel::letGo() { activateAgent(document_, 0); }
 
-// The table shows what the document says.
+// Updates the table from the document.
 void AgentsPanel::follow() {
   const DocumentState& state = document_.state();
   following_ = true;
@@ -219,7 +219,8 @@ void AgentsPanel::follow() {
   hintButton_->setVisible(tell);
 }
 
-// In front, where they are in the default pipeline, and steps where they may be; those that are off are switched on.
+// Adds missing filters at their places of the default pipeline, and steps where they may be; filters that are off are
+// switched on.
 void AgentsPanel::addMissingFilters() {
   DocumentState next = document_.state();
   std::vector<FilterEntry> added;
@@ -228,7 +229,7 @@ void AgentsPanel::addMissingFilters() {
         next.filters, [size](const FilterEntry& entry) { return agentSizeOf(*entry.step.filter) == size; });
     if (off != next.filters.end()) {
       off->step.enabled = true;
-    } else if (!mayBeNone(size)) {  // those have a place of their own
+    } else if (!mayBeNone(size)) {  // steps, radii and drops have places of their own
       added.push_back({document_.newFilterId(), defaultStep(filterOf(size), metresPerUnit_)});
     }
   }

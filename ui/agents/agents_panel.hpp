@@ -1,4 +1,4 @@
-// The dock "Agents": who is to walk, and what each of them can reach.
+// The dock "Agents": the agents of the level, and the areas that each of them can reach.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// The current row is the active agent. Double click, F2 or typing edits a cell.
+/// The current row is the active agent. A double click, F2 or typing edits an entry.
 class AgentsPanel : public QWidget {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class AgentsPanel : public QWidget {
 
   void setUnits(const LevelUnits& units);
   void computeAll() { results_->computeAll(); }
-  /// Counting from 0; nothing where there is no such agent.
+  /// Activates an agent, counting from 0; does nothing where there is no such agent.
   void activate(int row);
   void letGo();
 
@@ -61,7 +61,7 @@ class AgentsPanel : public QWidget {
   QTableView* table_;
   QLabel* hint_;
   QPushButton* hintButton_;
-  bool following_ = false;  // the table follows the document and must not edit it
+  bool following_ = false;  // the table is being updated from the document and must not edit it
 };
 
 }  // namespace footfall::ui

@@ -61,7 +61,7 @@ std::array<PhaseTime, 5> timesOf(const TimeUse& use) {
 }
 
 BusyPlot::BusyPlot(QWidget* parent) : QCustomPlot(parent) {
-  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setFocusPolicy(Qt::NoFocus);  // the plot has no keyboard actions
   setObjectName(QStringLiteral("busyPlot"));
   setAccessibleName(tr("Time that each thread was busy"));
   setMinimumHeight(70);
@@ -130,7 +130,7 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
 }
 
 PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
-  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setFocusPolicy(Qt::NoFocus);  // the plot has no keyboard actions
   setObjectName(QStringLiteral("phasePlot"));
   setAccessibleName(tr("Where the time of the run went"));
   setFixedHeight(22);

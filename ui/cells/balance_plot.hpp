@@ -1,4 +1,4 @@
-// How evenly the threads were busy, and where the time of the run went.
+// Plots of the work of each thread, and of the parts of a run's time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,16 +12,16 @@
 
 namespace footfall::ui {
 
-/// The figures of a block and its run, for people and tests.
+/// The figures of a block and its run, for display and tests.
 struct LoadFigures {
-  std::vector<double> busyMs;  ///< of each thread, on cells
-  double workMs = 0;           ///< the sum of it
-  double imbalance = 1;        ///< the largest over the mean
+  std::vector<double> busyMs;  ///< time of each thread on cells
+  double workMs = 0;           ///< their sum
+  double imbalance = 1;        ///< largest time over the mean
   double speedUp = 0;          ///< work over the time of the parallel phase; 0 while it is not known
 };
 LoadFigures figuresOf(const CellBlock& block);
 
-/// t_preprocessing to t_overhead (thesis 5.4), in the order in which they are shown.
+/// The times t_preprocessing to t_overhead (thesis 5.4), in the order in which they are shown.
 struct PhaseTime {
   QString name;
   double milliseconds = 0;
@@ -29,17 +29,17 @@ struct PhaseTime {
 };
 std::array<PhaseTime, 6> phasesOf(const RunTimes& times);
 
-/// Where the time of all threads went (TimeUse), in the order in which it is shown.
+/// The uses of all threads' time (TimeUse), in the order in which they are shown.
 std::array<PhaseTime, 5> timesOf(const TimeUse& use);
 
-/// One bar a thread, or a rank where there are ranks: how long it was busy with cells; a line at the mean.
+/// A bar for each thread, or each rank where there are ranks: its time on cells; a line marks the mean.
 class BusyPlot : public QCustomPlot {
   Q_OBJECT
 
  public:
   explicit BusyPlot(QWidget* parent = nullptr);
   void show(const CellBlock& block);
-  /// Before a run: what each thread would have to do.
+  /// Shows the expected work of each thread before a run.
   void showPlan(const std::vector<double>& loads);
   [[nodiscard]] QCPBars* bars() const { return bars_; }
 
@@ -55,7 +55,7 @@ class BusyPlot : public QCustomPlot {
   bool planned_ = false, hasRanks_ = false;
 };
 
-/// One bar for the run, a piece for each phase, or for each use of the threads' time.
+/// A bar for the run with a piece for each phase, or for each use of the threads' time.
 class PhasePlot : public QCustomPlot {
   Q_OBJECT
 

@@ -12,14 +12,14 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kWidth = 196;  // of the swatches, and at least of the texts
+constexpr int kWidth = 196;  // width of the swatches, and minimum width of the texts
 constexpr int kThreadsInRow = 8;
 constexpr int kSwatchHeight = 18;
 constexpr int kThreadsListed = 8;
 
-// Numbered squares, one a thread.
+// Numbered squares, one for each thread.
 QPixmap threadSwatches(int threads, const QFont& font, qreal ratio) {
-  constexpr int kRows = 4;  // of a machine with more threads, the first stand for the rest
+  constexpr int kRows = 4;  // the first threads of a machine with many stand for the rest
   const int shown = std::min(threads, kThreadsInRow * kRows);
   const int rows = (shown + kThreadsInRow - 1) / kThreadsInRow;
   const int side = kWidth / kThreadsInRow;
@@ -63,7 +63,7 @@ CellLegend::CellLegend(CellModel& model, QWidget* parent)
   title_->setStyleSheet(QStringLiteral("font-weight: 600"));
   title_->setWordWrap(true);
   colouring_ = new QComboBox(this);
-  colouring_->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
+  colouring_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus in the view
   colouring_->setAccessibleName(tr("Colour cells by"));
   colouring_->setToolTip(tr("What the colours of the cells show"));
   for (const CellColouring colouring : kCellColourings) colouring_->addItem(tr("Colours: %1").arg(labelOf(colouring)));
@@ -110,7 +110,7 @@ void CellLegend::describe() {
     colours_->show();
     unfinished_->parentWidget()->setVisible(!scale.allKnown());
   }
-  // As wide as the box: a layout that may give a text more width than it takes counts too few lines.
+  // The text is as wide as the box, because a layout that may give it more width counts too few lines.
   for (QLabel* text : {title_, text_}) text->setFixedWidth(std::max(kWidth, colouring_->sizeHint().width()));
   body().activate();
   layout()->activate();

@@ -1,4 +1,4 @@
-// What the colours of the cells in the view mean, and which of them are shown.
+// A legend of the cells' colours in the view, which also chooses the cells that are shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -74,7 +74,7 @@ void CellModel::changed() {
       shapes_ = std::move(bounds);
     }
   }
-  // Other cells with the same numbers are not what was pointed at.
+  // Other cells with the same numbers are not the hovered ones.
   if (!same || !contains(hovered_)) setHovered({});
   if (!same || !contains(selected_)) select({}, false);
   if (!same) emit shapesChanged();
@@ -105,7 +105,7 @@ void CellModel::select(std::optional<CellId> cell, bool frame) {
   if (cell && frame) emit frameRequested(*cell);
 }
 
-// Along the file's axes.
+// The places are along the file's axes.
 void CellModel::describePlace(const CellBounds& bounds,
                               const std::function<void(const QString&, const QString&)>& row) const {
   for (int axis = 0; axis < 3; ++axis) {

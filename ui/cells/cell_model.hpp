@@ -1,5 +1,5 @@
-// The cells that the window shows: one object for the view, the timeline and the load figures, so that they agree on
-// what is pointed at.
+// The cells that the window shows. The view, the timeline and the load figures share this model, so that they agree on
+// the hovered and the selected cell.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,8 +19,8 @@
 
 namespace footfall::ui {
 
-/// Blocks of a run, or for a while the cells that a strategy would make (a preview) in front of them. One block is
-/// shown in the view; hovered and selected cells are always cells of blocks().
+/// Holds the blocks of a run, or temporarily the cells that a strategy would make (a preview). The view shows one
+/// block; hovered and selected cells are always cells of blocks().
 class CellModel : public QObject {
   Q_OBJECT
 
@@ -29,10 +29,9 @@ class CellModel : public QObject {
 
   using QObject::QObject;
 
-  /// Shows the blocks of the run under way or of the last one. Figures that come while it goes on keep hover and
-  /// selection.
+  /// Shows the blocks of the present or the last run. Figures that arrive during a run keep hover and selection.
   void setBlocks(CellBlocks blocks);
-  /// Shown until endPreview() or other blocks.
+  /// Shows a preview until endPreview() or other blocks.
   void showPreview(const Partition& partition);
   void endPreview();
 
@@ -43,7 +42,7 @@ class CellModel : public QObject {
   [[nodiscard]] const CellBlock* shownBlock() const;
   [[nodiscard]] std::size_t shownIndex() const { return preview_ ? 0 : shown_; }
   void setShownIndex(std::size_t block);
-  /// The bounds of its cells; another object when they are others. Null when there is none.
+  /// The bounds of its cells; cells with other bounds are another object. Null when there is none.
   [[nodiscard]] Shapes shapes() const { return shapes_; }
 
   [[nodiscard]] CellColouring colouring() const { return colouring_; }
@@ -53,21 +52,21 @@ class CellModel : public QObject {
   [[nodiscard]] std::optional<CellId> hovered() const { return hovered_; }
   void setHovered(std::optional<CellId> cell);
   [[nodiscard]] std::optional<CellId> selected() const { return selected_; }
-  /// `frame`: the view is to bring it into sight.
+  /// Selects a cell; with `frame`, the view moves to it.
   void select(std::optional<CellId> cell, bool frame);
 
-  /// That a run would have; all there are at first.
+  /// The number of threads that a run would have; at first all of the machine.
   [[nodiscard]] int threads() const { return threads_; }
   void setThreads(int threads);
 
   void setUnits(const LevelUnits& units);
-  /// Everything that is known of a cell, as rich text.
+  /// All known figures of a cell, as rich text.
   [[nodiscard]] QString describe(CellId cell) const;
 
  signals:
-  /// Other cells, or another block is shown.
+  /// Emitted when there are other cells, or another block is shown.
   void shapesChanged();
-  /// Figures, colours or what they mean.
+  /// Emitted when figures, colours or their meaning changed.
   void figuresChanged();
   void hoveredChanged();
   void selectedChanged();

@@ -10,7 +10,8 @@
 namespace footfall::ui {
 namespace {
 
-// The strategy, the local filters that follow it, and its end: what the cells depend on, and always a whole block.
+// The strategy, the local filters that follow it, and its end. The cells depend on these alone, and they are a complete
+// block.
 Pipeline blockOf(const Pipeline& pipeline, std::size_t step) {
   Pipeline block;
   block.steps.push_back(pipeline.steps[step]);

@@ -1,4 +1,4 @@
-// The cells that a strategy would make, computed in the background.
+// Computes the cells that a strategy would make, in the background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,22 +15,22 @@
 
 namespace footfall::ui {
 
-/// Lives on the window's thread and never waits there; the last request wins.
+/// Lives on the window's thread and never waits there; a new request replaces the earlier one.
 class CellPreview : public QObject {
   Q_OBJECT
 
  public:
-  /// Takes a pipeline that is one parallel block, and how many threads are to run it.
+  /// Makes the cells of a pipeline that is one parallel block, for a number of threads.
   using Make =
       std::function<Partition(const std::shared_ptr<const Environment>&, const Pipeline& block, RunContext&, int)>;
 
   /// `make` runs in the background; by default it is the core's previewPartition.
   explicit CellPreview(QObject* parent = nullptr, Make make = {});
 
-  /// Cells of the strategy at `step` of the pipeline, which may be switched off, and whose block may lack its end;
-  /// as a run on so many threads would have them (0: on all).
+  /// Requests the cells of the strategy at `step` of the pipeline. The strategy may be switched off, and its block may
+  /// lack its end. The cells are those of a run on this many threads (0: all).
   void request(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, std::size_t step, int threads);
-  /// Drops the request under way: no signal is emitted for it any more.
+  /// Drops the present request; no signal is emitted for it any more.
   void cancel() { work_.stop(); }
   [[nodiscard]] bool busy() const { return work_.busy(); }
 
@@ -40,7 +40,7 @@ class CellPreview : public QObject {
 
  private:
   Make make_;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

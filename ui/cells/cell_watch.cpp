@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-// A run that has cells sooner shows its own, and nothing flickers.
+// The wait before a preview, so that a run whose cells appear sooner replaces the old cells without flicker.
 constexpr auto kPreviewAfter = std::chrono::milliseconds(200);
 
 bool isStrategy(const FilterEntry& entry) { return entry.step.filter->kind == FilterKind::Strategy; }
@@ -26,7 +26,7 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
   });
   connect(&document_, &Document::filtersChanged, this, &CellWatch::takeFilters);
   connect(&controller_, &RunController::cellsChanged, this, [this](const CellBlocks& blocks) {
-    // A run that is cancelled or refused must not take away what was asked for instead of it.
+    // A cancelled or refused run must not remove the preview that was requested instead of it.
     if (!controller_.busy() && !controller_.upToDate() && (model_.previewing() || preview_.busy())) return;
     editTimer_.stop();
     preview_.cancel();
@@ -67,7 +67,7 @@ void CellWatch::setEnvironment(std::shared_ptr<const Environment> environment, c
 void CellWatch::editEnvironment(std::shared_ptr<const Environment> environment) {
   preview_.cancel();
   environment_ = std::move(environment);
-  draped_.reset();  // over floors that may have changed
+  draped_.reset();  // the cells lie over floors that may have changed
 }
 
 int CellWatch::firstStrategy() const {
@@ -84,7 +84,7 @@ void CellWatch::preview(int id) {
                    model_.threads());
 }
 
-// An edit of a strategy, or a new one, shows its cells when the run has none soon.
+// An edited or new strategy shows its cells when the run has none soon.
 void CellWatch::takeFilters() {
   const std::vector<FilterEntry> before = std::exchange(filters_, document_.filters());
   emit blockChanged(
@@ -142,7 +142,7 @@ void CellWatch::drape() {
       [environment = environment_, centre = centre_, shapes = draped_](RunContext& context) -> Geometry {
         return makeCellGeometry(*environment, centre, *shapes, context);
       },
-      show, [show](const std::exception&) { show(nullptr); });  // memory ran out: the view goes without
+      show, [show](const std::exception&) { show(nullptr); });  // memory ran out: the view shows no cells
 }
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// Keeps cells in the view, in the legend and in the load panel in step with runs, edits and each other.
+// Keeps the cells in the view, the legend and the load panel consistent with runs and edits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace footfall::ui {
 
-/// Whether cells are in the view is SceneParts::cells; their geometry is made in the background, and only then.
+/// SceneParts::cells decides whether the view shows cells; their geometry is made in the background, and only then.
 class CellWatch : public QObject {
   Q_OBJECT
 
@@ -26,16 +26,16 @@ class CellWatch : public QObject {
             QObject* parent = nullptr);
 
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
-  /// The same level with something changed: the cells in sight stay until the next run has its own.
+  /// Sets the same level with a change; the visible cells stay until the next run has its own.
   void editEnvironment(std::shared_ptr<const Environment> environment);
-  /// Shows the cells that the strategy of a filter entry would make, without a run; until the next run has cells.
+  /// Shows the cells that the strategy of a filter entry would make, without a run, until the next run has cells.
   void preview(int id);
-  /// The strategy whose cells a preview would show when nothing else is said: the first one; -1 when there is none.
+  /// The strategy that a preview shows by default: the first one; -1 when there is none.
   [[nodiscard]] int firstStrategy() const;
-  /// The view's geometry belongs to the model's cells.
+  /// Returns whether the view's geometry belongs to the model's cells.
   [[nodiscard]] bool upToDate() const { return !draping_.busy() && !preview_.busy(); }
-  /// The caller says when the view shows cells or does not any more, and the same of the load panel. What is not shown
-  /// is not previewed unless it is asked for.
+  /// Called when the view, or the load panel, begins or ends to show cells. Hidden cells are not previewed unless a
+  /// preview is requested.
   void showCells(bool on);
   void showLoad(bool on) { loadShown_ = on; }
 
@@ -43,7 +43,7 @@ class CellWatch : public QObject {
 
  signals:
   void previewFailed(const QString& message);
-  /// Whether the filter list has an enabled strategy.
+  /// Emitted with whether the filter list has an enabled strategy.
   void blockChanged(bool hasBlock);
 
  private:
@@ -59,12 +59,12 @@ class CellWatch : public QObject {
   std::shared_ptr<const Environment> environment_;
   Vec3 centre_;
   bool shown_ = false, loadShown_ = false;
-  CellModel::Shapes draped_;          ///< what the view has, or will have when it is there
-  std::vector<FilterEntry> filters_;  ///< as they were when they were last looked at
-  int edited_ = -1;                   ///< the strategy that an edit has changed
+  CellModel::Shapes draped_;          ///< shapes that the view has, or gets when they are ready
+  std::vector<FilterEntry> filters_;  ///< filters at the last check
+  int edited_ = -1;                   ///< strategy that an edit has changed
   QTimer editTimer_;
   CellPreview preview_;
-  LatestWork draping_;  // last: its thread ends before the rest goes
+  LatestWork draping_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -34,7 +34,7 @@ CellsFeature::CellsFeature(const FeatureHost& host, LevelView& view, ViewLayout&
   connectMeasurement(host.messages);
 }
 
-// What looks at cells goes before them.
+// The widgets that show cells are deleted before the cells.
 CellsFeature::~CellsFeature() {
   cells_->disconnect(parent());
   dock_->toggleViewAction()->disconnect(this);
@@ -65,7 +65,8 @@ void CellsFeature::addCommands(CommandRegistry& commands) {
     preview->setEnabled(file_.environment() && hasStrategy);
   });
   connect(pipeline, &QMenu::aboutToHide, this, [parallel, preview] {
-    for (QAction* action : {parallel, preview}) action->setEnabled(true);  // or their keys would be dead
+    // the keys of disabled actions would not work
+    for (QAction* action : {parallel, preview}) action->setEnabled(true);
   });
   cells_ = commands.add({QStringLiteral("view.cells"),
                          CommandMenu::View,
@@ -131,7 +132,7 @@ void CellsFeature::connectParts(const FeatureHost& host, FilterList& filters) {
   connect(&file_, &LevelFile::opened, this, &CellsFeature::describeEmptyState);
 }
 
-// A measurement has the processors for itself: a run of the list ends it, and its figures with it.
+// A measurement needs all processors: a run of the list ends it and discards its figures.
 void CellsFeature::connectMeasurement(MessageBar& messages) {
   connect(&panel_->measurePage(), &MeasurePage::requested, this, &CellsFeature::measureAgain);
   connect(&measurement_, &LoadMeasurement::finished, this, [this] {
@@ -185,7 +186,7 @@ void CellsFeature::askForPlace(RunPlace::Kind kind) {
   dialog->open();
 }
 
-// The colours of the other legend lie under those of the cells.
+// The other legend shows the colours under those of the cells.
 void CellsFeature::chooseLegend() {
   const bool cells = cells_->isChecked();
   legend_->setVisible(cells);

@@ -24,7 +24,7 @@
 
 namespace footfall::ui {
 
-/// A child of its window, which deletes it before document, runs and view go.
+/// A child of its window, which deletes it before document, runs and view.
 class CellsFeature : public QObject {
   Q_OBJECT
 
@@ -35,7 +35,7 @@ class CellsFeature : public QObject {
 
   void setShown(const CellsShown& shown);
   [[nodiscard]] CellsShown shown() const;
-  /// What stands in the tool bar: cells in the view, and the dock.
+  /// The actions of the tool bar: cells in the view, and the dock.
   [[nodiscard]] QList<QAction*> actions() const { return {cells_, load_}; }
 
   [[nodiscard]] CellModel& model() { return model_; }

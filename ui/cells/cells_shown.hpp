@@ -1,4 +1,4 @@
-// How the cells of parallel blocks are looked at.
+// Where the cells of parallel blocks are shown.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@ namespace footfall::ui {
 
 struct CellsShown {
   bool inView = false;
-  bool load = false;  ///< the dock with the timeline
+  bool load = false;  ///< in the dock with the timeline
   CellColouring colouring = CellColouring::Thread;
 };
 

@@ -37,7 +37,7 @@ Histogram histogramOf(const std::vector<double>& values, int bins) {
 }
 
 HistogramPlot::HistogramPlot(QWidget* parent) : QCustomPlot(parent) {
-  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setFocusPolicy(Qt::NoFocus);  // the plot has no keyboard actions
   setObjectName(QStringLiteral("histogramPlot"));
   setAccessibleName(tr("How many cells took how long"));
   setMinimumHeight(70);

@@ -1,4 +1,4 @@
-// How the times of cells are spread.
+// A histogram of the cells' times.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,9 +10,10 @@
 
 namespace footfall::ui {
 
-/// Counts of values in bins whose bounds grow by the same factor, as times of cells lie over orders of magnitude.
+/// Counts of values in bins whose bounds grow by a constant factor, because times of cells differ by orders of
+/// magnitude.
 struct Histogram {
-  std::vector<double> bounds;  ///< one more than counts, ascending; empty without values
+  std::vector<double> bounds;  ///< one entry more than counts, ascending; empty without values
   std::vector<int> counts;
 };
 /// At most `bins` bins from the smallest value to the largest. Values that are not above 0 count in the first bin.
@@ -25,7 +26,7 @@ class HistogramPlot : public QCustomPlot {
   explicit HistogramPlot(QWidget* parent = nullptr);
   void show(const CellBlock& block);
   [[nodiscard]] const Histogram& histogram() const { return histogram_; }
-  /// "24 cells: median 12 ms, longest 480 ms (cell 7)".
+  /// A summary of the times: "24 cells: median 12 ms, longest 480 ms (cell 7)".
   [[nodiscard]] QString summary() const { return summary_; }
 
  protected:

@@ -1,4 +1,4 @@
-// Repeated runs of the pipeline, without caches, for figures that can be trusted.
+// Repeated runs of the pipeline, without caches, for reliable figures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// The middle and the ends of some values; of an even number of them, the middle is the smaller of the two.
+/// The median and the extremes of some values. The median of an even number of values is the smaller of the middle two.
 struct Spread {
   double median = 0, least = 0, most = 0;
 };
@@ -24,7 +24,7 @@ struct MeasuredRun {
   ProcessorUse processors;
 };
 
-/// The run whose whole time is the median.
+/// The run with the median total time.
 std::size_t medianRun(const std::vector<MeasuredRun>& runs);
 /// The blocks of a measured run.
 CellBlocks blocksOf(const MeasuredRun& run);
@@ -35,27 +35,27 @@ class LoadMeasurement : public QObject {
  public:
   explicit LoadMeasurement(QObject* parent = nullptr);
 
-  /// Runs in the background, one after the other. Replaces a measurement under way.
+  /// Runs in the background, one after the other. Replaces the present measurement.
   void start(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, int threads, int count);
   void stop();
   [[nodiscard]] bool busy() const { return work_.busy(); }
   [[nodiscard]] const std::vector<MeasuredRun>& runs() const { return runs_; }
-  /// The figures do not belong to what is shown any more.
+  /// Discards figures that no longer belong to what is shown.
   void clear();
 
  signals:
-  /// `done` of `all` runs have finished.
+  /// Emitted when `done` of `all` runs have finished.
   void progressed(int done, int all);
-  /// runs() are there.
+  /// Emitted when runs() are available.
   void finished();
   void failed(const QString& message);
-  /// Stopped or cleared.
+  /// Emitted when the measurement is stopped or cleared.
   void ended();
 
  private:
   std::vector<MeasuredRun> runs_;
-  int number_ = 0;   ///< of the measurement, so that progress of an earlier one is not taken for its own
-  LatestWork work_;  // last: its thread ends before the rest goes
+  int number_ = 0;   ///< number of the measurement; progress of an earlier one is ignored
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -19,7 +19,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr int kPlotWidth = 324;
-constexpr int kTimelineWidth = 240;  // for a lane to be seen beside the names of threads
+constexpr int kTimelineWidth = 240;  // a lane must be visible beside the names of threads
 
 QString swatch(const QColor& colour) {
   return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
@@ -76,7 +76,7 @@ void LoadPanel::makeThreadBox(RunThreads& threads) {
           [this, &threads](int index) { threads.choose(threadBox_->itemData(index).toInt()); });
 }
 
-// The last item stands for what was chosen, with its figures, and is never a choice itself.
+// The last item shows the chosen place with its figures, and cannot be chosen itself.
 void LoadPanel::makePlaceBox(RunPlaces& places) {
   using Kind = RunPlace::Kind;
   placeBox_ = new QComboBox(this);
@@ -191,7 +191,7 @@ QWidget* LoadPanel::makeFigures() {
   };
   figures_ = label();
   busy_ = new BusyPlot(this);
-  busy_->setMinimumWidth(kPlotWidth);  // not of all: the texts may need more
+  busy_->setMinimumWidth(kPlotWidth);  // a part of the width: the texts may need more
   use_ = new PhasePlot(this);
   use_->setObjectName(QStringLiteral("usePlot"));
   use_->setAccessibleName(tr("Where the time of all threads went"));
@@ -220,7 +220,7 @@ void LoadPanel::setPipeline(bool hasEnvironment, bool hasBlock) {
   parallel_->setVisible(hasEnvironment && !hasBlock);
 }
 
-// A stack is as wide as its widest page; plots that nobody sees must not cut the words off.
+// A stack is as wide as its widest page, and hidden plots must not cut off the texts.
 void LoadPanel::showPage(int page) {
   for (int i = 0; i < stack_->count(); ++i) {
     const QSizePolicy::Policy policy = i == page ? QSizePolicy::Preferred : QSizePolicy::Ignored;
@@ -271,7 +271,7 @@ void LoadPanel::refresh() {
   showFilters();
 }
 
-// Only of finished runs: what waits while a run goes on is not known yet.
+// Only finished runs have these figures: waiting times are not known during a run.
 void LoadPanel::showTimeUse(const CellBlock& block) {
   const bool known = block.complete();
   use_->setVisible(known);

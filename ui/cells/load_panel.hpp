@@ -1,4 +1,4 @@
-// The dock "Load": how the work of a run was spread over cells and threads.
+// The dock "Load": how a run's work was distributed over cells and threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,7 +25,7 @@ class LoadPanel : public QWidget {
   LoadPanel(CellModel& model, RunThreads& threads, RunPlaces& places, LoadMeasurement& measurement,
             QWidget* parent = nullptr);
 
-  /// What to say, and whether to offer a block, while there are no cells.
+  /// Sets the text that is shown without cells, and whether a button offers to add a block.
   void setPipeline(bool hasEnvironment, bool hasBlock);
 
   [[nodiscard]] TimelinePlot& timeline() const { return *timeline_; }
@@ -35,9 +35,9 @@ class LoadPanel : public QWidget {
   [[nodiscard]] QString useText() const { return useTexts_->text(); }
   [[nodiscard]] HistogramPlot& histogram() const { return *histogram_; }
   [[nodiscard]] MeasurePage& measurePage() const { return *measure_; }
-  /// Threads, Cells, Phases, Measure.
+  /// The pages Threads, Cells, Phases and Measure.
   [[nodiscard]] QTabWidget& pages() const { return *pages_; }
-  /// Null where nothing is offered.
+  /// The button that adds a block; null where none is offered.
   [[nodiscard]] QPushButton* parallelButton() const { return parallel_; }
   [[nodiscard]] bool showsEmptyState() const { return stack_->currentIndex() == 0; }
   [[nodiscard]] QString emptyText() const { return emptyText_->text(); }
@@ -46,9 +46,9 @@ class LoadPanel : public QWidget {
 
  signals:
   void parallelBlockRequested();
-  /// The user has chosen where to run, and is to be asked for the rest.
+  /// Emitted when the user has chosen a place to run; a dialog then requests its other settings.
   void placeRequested(footfall::detail::RunPlace::Kind kind);
-  /// Away from a preview, back to the cells that ran.
+  /// Emitted to leave a preview and show the cells of the run again.
   void runRequested();
 
  private:

@@ -1,4 +1,4 @@
-// The page of the dock "Load" that measures again.
+// The page of the dock "Load" that repeats measurements.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ class MeasurePage : public QWidget {
  public:
   explicit MeasurePage(LoadMeasurement& measurement, QWidget* parent = nullptr);
 
-  /// Why nothing can be measured now; empty where it can.
+  /// The reason why nothing can be measured now; empty where it can.
   void setObstacle(const QString& text);
 
   [[nodiscard]] QSpinBox* countBox() const { return count_; }

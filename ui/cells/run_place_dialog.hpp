@@ -1,4 +1,4 @@
-// How many processes run the cells, and what else is to be known to start them.
+// The dialog for the number of processes that run the cells, and the further settings of their start.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@ class RunPlaceDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `place` fills the fields; its kind is the one that is asked about, and not that of this program.
+  /// `place` fills the fields. Its kind is one of those that need settings, and not that of this program.
   explicit RunPlaceDialog(const RunPlace& place, QWidget* parent = nullptr);
 
   [[nodiscard]] RunPlace place() const;

@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kPause = 0.05;  // ms; between two filters of a cell nobody is idle for so long
+constexpr double kPause = 0.05;  // ms; shorter pauses between two filters of a cell do not count as idle
 
 struct Work {
   std::optional<CellId> cell;
@@ -25,7 +25,7 @@ std::size_t numberOf(const std::string& filter, std::vector<std::string>& filter
   return filters.size() - 1;
 }
 
-// They follow each other, with pauses in between that belong to none: merging begins when the last cell has ended.
+// Bands follow each other with pauses that belong to none: merging begins when the last cell has ended.
 void addBands(const BlockReport& report, std::vector<Timeline::Band>& bands) {
   const double cut = report.startMs + report.partitioningMs;
   double joined = cut + report.parallelMs;
@@ -67,9 +67,9 @@ Timeline::Serial::Kind kindOf(RunPart::Kind kind) {
   return Timeline::Serial::Kind::Finish;
 }
 
-// The run is covered from its beginning to its end: what lies between two parts is one, too.
+// The parts cover the run from its beginning to its end: a gap between two parts is a part too.
 void addSerial(const RunFigures& run, Timeline& timeline) {
-  constexpr double kGap = 0.5;  // ms; less is the clock's
+  constexpr double kGap = 0.5;  // in ms; shorter gaps are errors of the clock
   std::vector<Timeline::Serial>& serial = timeline.serial;
   std::vector<std::pair<double, double>> covered;
   for (const RunPart& part : run.parts)
@@ -91,7 +91,7 @@ void addSerial(const RunFigures& run, Timeline& timeline) {
   }
   for (Timeline::Serial& part : serial) {
     const double length = part.end - part.start;
-    const double cpu = part.threads;  // milliseconds so far
+    const double cpu = part.threads;  // milliseconds of thread time so far
     part.threads = 1;
     if (length <= 0) continue;
     if (run.processors.known())
@@ -111,7 +111,7 @@ TimeUse timeUse(const Timeline& timeline) {
   for (const Timeline::Serial& part : timeline.serial) {
     const double whole = lanes * (part.end - part.start);
     const double busy = std::min(whole, part.threads * (part.end - part.start));
-    // Other threads of the program wait for processors, too: only what the one at work has lost counts.
+    // Other threads of the program also wait for processors; only the time that the working thread has lost counts.
     const double lost = std::max(0.0, part.end - part.start - busy);
     const double others = std::min(timeline.processors.waitedMs(part.start, part.end), lost);
     use.steps += busy;
@@ -166,7 +166,7 @@ Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown) {
   std::vector<Work> work;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const CellBlock& block = blocks[b];
-    if (block.run != blocks[shown].run) continue;  // its times count from another beginning
+    if (block.run != blocks[shown].run) continue;  // its times have another origin
     timeline.lanes = std::max(timeline.lanes, block.threads());
     addBands(block.report, timeline.bands);
     for (std::size_t c = 0; c < block.report.cells.size(); ++c) {
@@ -176,7 +176,8 @@ Timeline makeTimeline(const CellBlocks& blocks, std::size_t shown) {
     for (const CellSpan& span : block.report.shared) work.push_back({std::nullopt, &span});
   }
   std::ranges::sort(work, {}, [](const Work& piece) { return piece.span->startMs; });
-  for (const Work& piece : work) numberOf(piece.span->filter, timeline.filters);  // numbered as they come
+  // numbered in the order of their first use
+  for (const Work& piece : work) numberOf(piece.span->filter, timeline.filters);
   addBars(work, timeline);
   if (blocks[shown].run) {
     addSerial(*blocks[shown].run, timeline);

@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kText = 26;  // pixels that a number in a bar needs at least
+constexpr double kText = 26;  // least width in pixels of a bar with a number
 // The filters take the lower part of a bar.
 constexpr double kSplit = 0.5;
 
@@ -96,7 +96,7 @@ QCPRange TimelineLanes::getValueRange(bool& found, QCP::SignDomain /*domain*/, c
   return {-0.5, timeline_.lanes - 0.5};
 }
 
-// From `from` to `to` of the lane's height, 0 being its upper side.
+// A rectangle from `from` to `to` of the lane's height; 0 is its upper side.
 QRectF TimelineLanes::place(int lane, double start, double end, double from, double to) const {
   const double left = mKeyAxis->coordToPixel(start);
   const double right = mKeyAxis->coordToPixel(end);
@@ -143,7 +143,7 @@ void TimelineLanes::drawBands(QCPPainter* painter) const {
   }
 }
 
-// While cells run, what no bar covers is a thread that waits.
+// Draws waiting threads, where no bar is while cells run.
 void TimelineLanes::drawIdle(QCPPainter* painter) const {
   for (const Timeline::Band& band : timeline_.bands) {
     if (band.phase != Timeline::Phase::Parallel || band.end <= band.start) continue;
@@ -155,7 +155,7 @@ void TimelineLanes::drawIdle(QCPPainter* painter) const {
   }
 }
 
-// What keeps few threads busy fills as much of the lanes' height as it has of the threads; the rest of them waits.
+// A part that keeps few threads busy fills the lanes' height by its share of the threads; the other threads wait.
 void TimelineLanes::drawSerial(QCPPainter* painter) const {
   const QCPRange seen = mKeyAxis->range();
   const double lanes = timeline_.lanes;
@@ -181,7 +181,7 @@ void TimelineLanes::drawSerial(QCPPainter* painter) const {
   }
 }
 
-// The lane below those of the threads: how many threads waited for a processor.
+// The lane below those of the threads shows how many threads waited for a processor.
 void TimelineLanes::drawOthers(QCPPainter* painter) const {
   const std::vector<ProcessorSample>& samples = timeline_.processors.samples;
   for (std::size_t i = 1; i < samples.size(); ++i) {
@@ -223,7 +223,7 @@ void TimelineLanes::drawBar(QCPPainter* painter, const Timeline::Bar& bar) const
   painter->drawRect(whole);
 }
 
-// All bars of a cell: helpers have theirs on other lanes.
+// Marks all bars of a cell: helper threads have bars on other lanes.
 void TimelineLanes::drawMark(QCPPainter* painter, const std::optional<CellId>& cell, const QColor& colour) const {
   if (!cell) return;
   for (const Timeline::Bar& bar : timeline_.bars) {

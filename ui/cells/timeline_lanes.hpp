@@ -1,4 +1,4 @@
-// How the timeline is painted, as a plottable of QCustomPlot.
+// Paints the timeline, as a plottable of QCustomPlot.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,7 +18,7 @@ class TimelineLanes : public QCPAbstractPlottable {
 
   TimelineLanes(QCPAxis* time, QCPAxis* lanes, const CellModel& model, const Timeline& timeline);
 
-  /// The colours of the cells of all blocks; to be called after the model's figures have changed.
+  /// Updates the colours of the cells of all blocks; called after the model's figures have changed.
   void takeColours();
 
   double selectTest(const QPointF& pos, bool onlySelectable, QVariant* details) const override;

@@ -14,13 +14,13 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kHead = 0.42;          // of a lane's height, for the names of the phases
-constexpr double kClosest = 1.0 / 2e4;  // of the whole time, the least that zooming shows
+constexpr double kHead = 0.42;          // share of a lane's height, for the names of the phases
+constexpr double kClosest = 1.0 / 2e4;  // the least share of the whole time that zooming shows
 
 }  // namespace
 
 TimelinePlot::TimelinePlot(CellModel& model, QWidget* parent) : QCustomPlot(parent), model_(model) {
-  setFocusPolicy(Qt::NoFocus);  // nothing in it is for the keyboard
+  setFocusPolicy(Qt::NoFocus);  // the plot has no keyboard actions
   setObjectName(QStringLiteral("timeline"));
   setMinimumHeight(90);
   setMouseTracking(true);
@@ -70,7 +70,7 @@ void TimelinePlot::rebuild() {
   yAxis->setTicker(ticker);
   yAxis->setRange(-0.5 - kHead * std::max(1.0, timeline_.lanes / 4.0),
                   std::max(1, timeline_.lanes) - 0.5 + (hasOthers ? 1 : 0));
-  // A run that goes on stays in sight as a whole; what somebody has zoomed into of a finished one stays too.
+  // The whole of a running run stays visible; a zoomed part of a finished run stays as well.
   const auto& blocks = model_.blocks();
   const auto run = blocks.empty() ? nullptr : blocks[model_.shownIndex()].run;
   if (!run || run != shownRun_ || timeline_.end != shownEnd_) showAll();
@@ -86,7 +86,7 @@ void TimelinePlot::showAll() {
   replot(QCustomPlot::rpQueuedReplot);
 }
 
-// Never beyond what there is, and never closer than the clock.
+// Limits the range to the run, and to the resolution of the clock.
 void TimelinePlot::limitRange(const QCPRange& range) {
   const double length = timeline_.end - timeline_.start;
   if (length <= 0) return;
@@ -107,7 +107,7 @@ const Timeline::Bar* TimelinePlot::barAt(const QPointF& place) const {
   if (std::abs(row - lane) > TimelineLanes::kHalfLane) return nullptr;
   const double time = xAxis->pixelToCoord(place.x());
   if (const Timeline::Bar* bar = timeline_.at(lane, time)) return bar;
-  // Bars that are narrower than a pixel can be pointed at as well.
+  // Bars narrower than a pixel can be hovered as well.
   const double pixel = xAxis->pixelToCoord(place.x() + 1.5) - time;
   for (const double near : {time - pixel, time + pixel}) {
     if (const Timeline::Bar* bar = timeline_.at(lane, near)) return bar;
@@ -133,7 +133,7 @@ QString TimelinePlot::describe(const Timeline::Bar& bar, const QPointF& place) c
   return text;
 }
 
-// How long the pause is, and what it waits for.
+// Describes the length of a pause and its reason.
 QString TimelinePlot::describeIdle(const QPointF& place) const {
   if (timeline_.planned) return {};
   const double time = xAxis->pixelToCoord(place.x());

@@ -1,4 +1,5 @@
-// The timeline of a run: a lane for each thread, a bar for each cell, its filters inside, what is empty was idle.
+// The timeline of a run: a lane for each thread, and a bar for each cell with its filters. Empty parts of a lane are
+// idle time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +12,8 @@ namespace footfall::ui {
 
 class TimelineLanes;
 
-/// Follows a model: hovering and selecting happen there. The wheel zooms in time, dragging moves, a double click shows
-/// all.
+/// Hovering and selecting change the model. The wheel zooms in time, dragging moves, and a double click shows
+/// everything.
 class TimelinePlot : public QCustomPlot {
   Q_OBJECT
 
@@ -20,7 +21,7 @@ class TimelinePlot : public QCustomPlot {
   explicit TimelinePlot(CellModel& model, QWidget* parent = nullptr);
 
   [[nodiscard]] const Timeline& timeline() const { return timeline_; }
-  /// The bar under a place of the widget; null over idle time and outside.
+  /// The bar at a place of the widget; null over idle time and outside.
   [[nodiscard]] const Timeline::Bar* barAt(const QPointF& place) const;
   /// The middle of a bar, in the widget.
   [[nodiscard]] QPointF placeOf(const Timeline::Bar& bar) const;

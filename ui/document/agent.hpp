@@ -1,4 +1,4 @@
-// Who is to walk: the sizes that drive the filters.
+// An agent's sizes, which set the values of filters.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,11 +12,11 @@ struct NamedAgent {
   int id = 0;  ///< unique in its document, above 0
   std::string name;
   double height = 0;    ///< free height that it needs, in the environment's units
-  double maxSlope = 0;  ///< degrees
-  double step = 0;      ///< how high it climbs at once, in the environment's units; 0: it does not lift its feet
-  double gap = 0;       ///< how wide a gap it steps over, in the environment's units
-  double radius = 0;    ///< how far it stays away from walls and ledges, in the environment's units; 0: it is a point
-  double drop = 0;      ///< how deep it drops from ledges, in the environment's units; 0: not at all
+  double maxSlope = 0;  ///< steepest slope that it walks on, in degrees
+  double step = 0;      ///< highest step that it climbs, in the environment's units; 0: it climbs no steps
+  double gap = 0;       ///< widest gap that it steps over, in the environment's units
+  double radius = 0;    ///< distance that it keeps from walls and ledges, in the environment's units; 0: it is a point
+  double drop = 0;      ///< deepest drop from a ledge, in the environment's units; 0: it does not drop
   bool operator==(const NamedAgent&) const = default;
 };
 

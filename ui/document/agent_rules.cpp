@@ -15,7 +15,7 @@
 namespace footfall::ui {
 namespace {
 
-// Twelve digits: 40 and not 40.000000000000007, which is what a change of scale and back would leave.
+// Rounds to twelve digits: 40 and not 40.000000000000007, which a change of scale and back would leave.
 double rounded(double value) {
   std::array<char, 40> digits{};
   std::snprintf(digits.data(), digits.size(), "%.12g", value);
@@ -32,7 +32,7 @@ Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
   return pipeline;
 }
 
-/// Whether a filter makes borders that a StepFilter before it has not seen.
+/// Returns whether a filter makes borders that an earlier StepFilter has not linked.
 bool makesBorders(const PipelineStep& step) {
   switch (step.filter->type) {
     case FilterType::Duplication:
@@ -49,8 +49,9 @@ bool makesBorders(const PipelineStep& step) {
   }
 }
 
-/// Behind all that makes borders or would lose drops, and in front of the filters that go by links and drops. Where it
-/// has no place, nothing changes, and what is wrong with it at the end is returned.
+/// Inserts a filter behind all filters that make borders or would lose drops, and in front of the filters that use
+/// links and drops. Where it has no place, the list does not change, and the problem of the filter at the end of the
+/// list is returned.
 Text insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
     return entry.step.enabled && makesBorders(entry.step);
@@ -68,8 +69,8 @@ Text insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   }
 }
 
-/// Behind the filters that a radius must follow, and in front of drops, which it would lose, and of filters that count
-/// what is left.
+/// Inserts a radius behind the filters that it must follow, in front of drops, which it would lose, and in front of
+/// filters that evaluate what is left.
 void insertRadius(std::vector<FilterEntry>& filters, const FilterEntry& radius) {
   const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
     const auto size = agentSizeOf(*entry.step.filter);
@@ -188,7 +189,7 @@ void applyAgent(DocumentState& state, const std::function<int()>& newId) {
   for (const AgentSize size : {AgentSize::Step, AgentSize::Radius, AgentSize::Drop}) {
     const FilterDescriptor& filter = filterOf(size);
     if (sizeOf(*agent, size) == 0) {
-      // A radius of 0 with a distance to ledges is no agent's, and stays.
+      // A radius of 0 with a distance to ledges does not stand for an agent, and stays.
       std::erase_if(state.filters, [size](const FilterEntry& entry) {
         return isOn(entry, size) && !(size == AgentSize::Radius && entry.step.values[0] == 0);
       });
@@ -197,7 +198,7 @@ void applyAgent(DocumentState& state, const std::function<int()>& newId) {
       if (size == AgentSize::Radius)
         insertRadius(state.filters, added);
       else
-        (void)insertEarly(state.filters, added);  // the panel says where that cannot be: whyNoPlace()
+        (void)insertEarly(state.filters, added);  // whyNoPlace() gives the panel the reason where that fails
     }
   }
   writeSizes(state);
@@ -255,8 +256,8 @@ std::vector<NamedAgent> rescaledAgents(std::vector<NamedAgent> agents, double fr
   return agents;
 }
 
-// The sizes have sources in core/pipeline/known_agents.cpp. Nobody drops by default: in Unity, which knows drops,
-// objects are marked for them first.
+// The sizes have sources in core/pipeline/known_agents.cpp. No preset drops: in Unity, which supports drops, objects
+// are marked for them first.
 std::vector<AgentPreset> agentPresets(double metresPerUnit) {
   const auto preset = [metresPerUnit](const char* known, const QString& name, const QString& help) {
     const auto units = [metresPerUnit](double metres) { return rounded(metres / metresPerUnit); };

@@ -19,8 +19,8 @@ bool operator==(const DocumentState& a, const DocumentState& b) {
          a.partRules == b.partRules && a.obstacles == b.obstacles;
 }
 
-/// The document before and after: a few hundred bytes, and nothing that could go out of step. Edits of a value are
-/// called after the first and the last value, also when several have become one.
+/// Stores the document before and after an edit: a few hundred bytes, and nothing that could become inconsistent. Texts
+/// of value edits name the first and the last value, also when several edits were merged.
 class DocumentCommand : public QUndoCommand {
  public:
   DocumentCommand(Document& document, DocumentState after, const QString& text, QString mergeKey)
@@ -39,7 +39,7 @@ class DocumentCommand : public QUndoCommand {
   [[nodiscard]] const DocumentState& before() const { return before_; }
   [[nodiscard]] const DocumentState& after() const { return after_; }
   bool mergeWith(const QUndoCommand* other) override {
-    const auto* next = static_cast<const DocumentCommand*>(other);  // same id, so the same class
+    const auto* next = static_cast<const DocumentCommand*>(other);  // the same id means the same class
     if (next->mergeKey_ != mergeKey_) return false;
     after_ = next->after_;
     setText(ofValue_ ? valueEditText(before_, after_, document_.units()) : next->text());
@@ -72,7 +72,7 @@ std::vector<FilterEntry> Document::entriesOf(const Pipeline& pipeline) {
   std::vector<FilterEntry> entries;
   for (const PipelineStep& step : pipeline.steps) {
     entries.push_back({nextId_++, step});
-    entries.back().step.line = 0;  // from here on, its place is its row
+    entries.back().step.line = 0;  // from here on, its row is its place
     entries.back().step.columns.clear();
   }
   return entries;
@@ -87,7 +87,8 @@ void Document::push(DocumentState next, const QString& text, const QString& merg
 const DocumentState& Document::stateBefore(const QString& mergeKey) const {
   const int last = undoStack_.index() - 1;
   if (mergeKey.isEmpty() || last < 0 || undoStack_.isClean()) return state_;
-  const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(last));  // the stack has no others
+  // the stack has no other commands
+  const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(last));
   return command->mergeKey() == mergeKey ? command->before() : state_;
 }
 
@@ -148,7 +149,7 @@ void Document::setValue(int id, std::size_t parameter, double value, int editSes
   if (index == state_.filters.size() || parameter >= state_.filters[index].step.values.size()) return;
   const QString mergeKey =
       editSession < 0 ? QString() : QStringLiteral("%1/%2/%3").arg(id).arg(parameter).arg(editSession);
-  // What follows a value does so from where the edit began: values on the way to the last one take nothing along.
+  // Values that follow another one do so from the beginning of the edit: intermediate values have no effect.
   DocumentState next = stateBefore(mergeKey);
   PipelineStep& step = next.filters[index].step;
   const double before = std::exchange(step.values[parameter], value);
@@ -210,7 +211,7 @@ void Document::setImportAndPipeline(const ImportOptions& options, const Pipeline
   if (agents) next.agents = *agents;
   if (!(pipeline == this->pipeline())) {
     std::vector<FilterEntry> entries = entriesOf(pipeline);
-    // Rows whose filter stays where it is keep their identity.
+    // Rows whose filter stays in place keep their identity.
     for (std::size_t i = 0; i < entries.size() && i < state_.filters.size(); ++i) {
       if (entries[i].step.filter == state_.filters[i].step.filter) entries[i].id = state_.filters[i].id;
     }
@@ -244,7 +245,8 @@ EditHistory Document::history() const {
   history.index = undoStack_.index();
   history.clean = undoStack_.cleanIndex();
   for (int i = 0; i < undoStack_.count(); ++i) {
-    const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(i));  // the stack has no others
+    // the stack has no other commands
+    const auto* command = static_cast<const DocumentCommand*>(undoStack_.command(i));
     if (i == 0) history.first = command->before();
     history.edits.push_back({command->text(), command->after()});
   }
@@ -292,7 +294,7 @@ Pipeline rescaleLengths(const Pipeline& pipeline, double fromMetresPerUnit, doub
   for (std::size_t s = 0; s < rescaled.steps.size(); ++s) {
     PipelineStep& step = rescaled.steps[s];
     const PipelineStep defaults = defaultStep(*step.filter, fromMetresPerUnit);
-    for (std::size_t i = 0; i < defaults.values.size(); ++i) {  // not the places behind them
+    for (std::size_t i = 0; i < defaults.values.size(); ++i) {  // the places behind the defaults are left out
       const double before = pipeline.steps[s].values[i];
       const Unit unit = step.filter->parameters[i].unit;
       if (before == defaults.values[i] || (unit != Unit::Length && unit != Unit::Area)) continue;

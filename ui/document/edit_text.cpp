@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-// In the middle of a sentence.
+// A label in the middle of a sentence.
 QString inside(std::string_view label) {
   QString text = filterText(label);
   const bool english = text == QString::fromUtf8(label.data(), static_cast<qsizetype>(label.size()));

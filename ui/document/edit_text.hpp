@@ -1,4 +1,4 @@
-// What edits are called in the undo history: "Change maximum slope 45° → 50°".
+// The texts of edits in the undo history: "Change maximum slope 45° → 50°".
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,13 +9,13 @@
 
 namespace footfall::ui {
 
-/// A step's name for people, e.g. "Vertical clearance".
+/// A step's label, e.g. "Vertical clearance".
 QString labelOf(const PipelineStep& step);
-/// A parameter's value for people, in the shown unit, with degrees but without other names of units: "45°", "2", "yes".
+/// A parameter's value in the shown unit, with a degree sign but without other units: "45°", "2", "yes".
 QString valueText(const ParameterDescriptor& parameter, double value, const LevelUnits& units);
-/// Names the first value that differs between filters that are in both states; empty when none does.
+/// Describes the first value that differs between filters of both states; empty when none does.
 QString valueEditText(const DocumentState& before, const DocumentState& after, const LevelUnits& units);
-/// The filter's label where it is one, else how many there are: "Slope", "3 filters".
+/// The label of a single filter, or the number of filters: "Slope", "3 filters".
 QString stepsText(const std::vector<PipelineStep>& steps);
 
 }  // namespace footfall::ui

@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-/// For the translations.
+/// The class is the context of the translations.
 struct ExportTexts {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::ExportTexts)
 };

@@ -1,4 +1,4 @@
-// What an export is asked for, and what the editor remembers of it.
+// The settings of an export, and those that the editor remembers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,30 +19,30 @@ namespace footfall::ui {
 
 enum class ExportKind { Obj, Gltf, Glb, Detour, Godot, Wkt, GeoJson, PlanPdf, PlanSvg, Png, Html };
 
-/// The engine, tool or use that an export is for: a format, and what that program wants of it.
+/// The engine, tool or use that an export is made for: a format with the options that the program needs.
 struct ExportTarget {
-  const char* id;  ///< in settings
+  const char* id;  ///< name in the settings
   ExportKind kind;
   int godot = 4;             ///< ExportOptions::godot
   bool navmeshNode = false;  ///< ExportOptions::navmeshNode
 };
 
-/// All of them, the usual one first.
+/// All targets; the default one is first.
 std::span<const ExportTarget> exportTargets();
-/// The usual one where there is no such name.
+/// The target with this name; the default one where there is none.
 const ExportTarget& exportTarget(const QString& id);
-/// "Godot 4: navigation mesh (.tres)".
+/// The target's name with its format: "Godot 4: navigation mesh (.tres)".
 QString targetName(const ExportTarget& target);
 
 struct ExportSettings {
   const ExportTarget* target = exportTargets().data();
   ExportOptions options;
-  bool placed = false;   ///< with the obstacles that were placed
-  PlanOptions plan;      ///< of floor plans
+  bool placed = false;   ///< includes the placed obstacles
+  PlanOptions plan;      ///< options of floor plans
   int pictureSize = 0;   ///< index of pictureSizes()
-  bool pictures = true;  ///< in the report
-  /// Of exports with several files: those beside the first that may be replaced, and what was written since. Null: all
-  /// may be.
+  bool pictures = true;  ///< pictures in the report
+  /// The files beside the first one that an export with several files may replace, and those written since. Null: all
+  /// may be replaced.
   std::shared_ptr<std::set<std::string>> replaceable;
 
   [[nodiscard]] ExportKind kind() const { return target->kind; }
@@ -51,16 +51,17 @@ struct ExportSettings {
 /// The format of the result itself; null for floor plans, pictures and reports.
 const FormatDescriptor* meshFormat(ExportKind kind);
 [[nodiscard]] bool isPlan(ExportKind kind);
-/// An export has files beside the one that was asked for: existingOutputs().
+/// Returns whether an export has files beside the chosen one: existingOutputs().
 [[nodiscard]] bool hasFilesBeside(ExportKind kind);
 /// The ending of a kind's files without its dot: "obj".
 QString exportEnding(ExportKind kind);
-/// What the files of a kind keep and lose, as phrases; empty for pictures and reports.
+/// Phrases of what the files of a kind keep and lose; empty for pictures and reports.
 QString keptBy(ExportKind kind);
 QString lostBy(ExportKind kind);
-/// The target for a name's ending: `usual` where it has that one or none that is known, else the first.
+/// The target for a name's ending: `usual` where it has this ending or the ending is unknown, else the first that has
+/// it.
 const ExportTarget& exportTargetOf(const QString& path, const ExportTarget& usual);
-/// "The view (800 × 600)" and so on; the sizes in pixels and how many times larger lines are.
+/// The sizes of pictures ("The view (800 × 600)" and so on): pixels, and the factor on the width of lines.
 struct PictureSize {
   QString name;
   QSize pixels;
@@ -70,8 +71,8 @@ QList<PictureSize> pictureSizes(const QSize& view, double devicePixelRatio);
 
 /// The target of the last export.
 const ExportTarget& rememberedTarget();
-/// The settings of the last export for a target, but for scale, frame, part and coordinate system: they would silently
-/// change the next level's.
+/// The settings of the last export for a target, except scale, frame, part and coordinate system, which would silently
+/// change the export of the next level.
 ExportSettings rememberedExport(const ExportTarget& target);
 void rememberExport(const ExportSettings& settings);
 
