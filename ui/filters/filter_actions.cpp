@@ -74,7 +74,7 @@ QAction* FilterActions::add(const char* id, const QString& text, const QString& 
                             const QString& iconName, void (FilterActions::*perform)()) {
   auto* action = new QAction(text, this);
   action->setShortcut(keys);
-  action->setShortcutContext(Qt::WidgetShortcut);  // for show: handleKey() looks after it
+  action->setShortcutContext(Qt::WidgetShortcut);  // displayed only: handleKey() handles it
   if (!iconName.isEmpty()) action->setIcon(icon(iconName));
   connect(action, &QAction::triggered, this, perform);
   entries_.push_back({QLatin1String(id), help, action});
@@ -166,7 +166,7 @@ void FilterActions::selectAll() {
   emit chosen(ids);
 }
 
-// Off when any of them is on.
+// Switches all off when any of them is on.
 void FilterActions::switchOver() {
   const FilterIds ids = selection_.ids();
   bool on = false;

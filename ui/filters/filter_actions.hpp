@@ -1,4 +1,4 @@
-// What can be done to the selected rows of the filter list: by keys, from the context menu and from the window's menu.
+// The actions on the selected rows of the filter list: by keys, from the context menu and from the window's menu.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,8 +15,8 @@
 
 namespace footfall::ui {
 
-/// The keys of these actions belong to the list: FilterList hands them to handleKey() while it has the focus, so that
-/// other panels may have the same ones.
+/// The keys of these actions work in the list only: FilterList passes them to handleKey() while it has the focus, so
+/// that other panels may use the same keys.
 class FilterActions : public QObject {
   Q_OBJECT
 
@@ -24,28 +24,28 @@ class FilterActions : public QObject {
   FilterActions(Document& document, FilterSelection& selection, QWidget* list);
 
   struct Entry {
-    QString id;  ///< "filters.copy"
+    QString id;  ///< such as "filters.copy"
     QString help;
     QAction* action;
   };
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  /// Null when there is none.
+  /// The action with this id; null when there is none.
   [[nodiscard]] QAction* find(const QString& id) const;
-  /// Whether the key is one of an action that can be done now; `perform` does it.
+  /// Returns whether the key belongs to an enabled action; with `perform`, triggers it.
   bool handleKey(const QKeyEvent& key, bool perform);
-  /// A menu for the row under the mouse, which is selected. The caller deletes it.
+  /// Selects the row under the mouse and makes its menu. The caller deletes the menu.
   QMenu* makeMenu(QWidget* parent);
-  /// Fills `menu` with all filters, strategies behind the others; `use` gets the chosen one. Those that cannot run at
-  /// the place `index` of the list are grey and say why.
+  /// Fills `menu` with all filters, strategies last; `use` receives the chosen one. Filters that cannot run at the
+  /// place `index` of the list are disabled, with the reason.
   void fillFilterMenu(QMenu& menu, std::size_t index, const std::function<void(const FilterDescriptor&)>& use) const;
   /// The place in the list behind the last selected row; the end of the list where none is selected.
   [[nodiscard]] std::size_t placeBehind() const;
-  /// After the selection or the filters have changed.
+  /// Called after the selection or the filters have changed.
   void update();
   void setMetresPerUnit(double metresPerUnit) { metresPerUnit_ = metresPerUnit; }
 
  signals:
-  /// These rows are to be selected and seen.
+  /// Emitted with rows that should be selected and made visible.
   void chosen(const footfall::ui::FilterIds& ids);
   void failed(const QString& message);
 

@@ -48,7 +48,7 @@ FilterIds insertFilters(Document& document, std::size_t index, const std::vector
   for (const PipelineStep& step : steps) {
     ids.push_back(document.newFilterId());
     at = next.filters.insert(at, {ids.back(), step}) + 1;
-    std::prev(at)->step.line = 0;  // from here on, its place is its row
+    std::prev(at)->step.line = 0;  // from here on, its row is its place
     std::prev(at)->step.columns.clear();
   }
   document.edit(std::move(next), text);
@@ -118,7 +118,7 @@ void runOnlyUpTo(Document& document, int id) {
 void switchOthersOff(Document& document, const FilterIds& ids) {
   DocumentState next = document.state();
   for (FilterEntry& entry : next.filters) entry.step.enabled = contains(ids, entry.id);
-  // A strategy and its Collapse go together.
+  // A strategy and its Collapse belong together.
   const auto& before = document.filters();
   for (std::size_t i = 0; i < before.size(); ++i) {
     if (!before[i].step.enabled || before[i].step.filter->kind != FilterKind::Strategy) continue;

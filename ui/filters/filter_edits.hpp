@@ -10,26 +10,26 @@
 
 namespace footfall::ui {
 
-/// Ids of FilterEntry; those that are not in the list are left out.
+/// Ids of FilterEntry; ids that are not in the list are ignored.
 using FilterIds = std::vector<int>;
 
 void removeFilters(Document& document, const FilterIds& ids);
-/// Copies stand together behind the last one that is copied. Returns their ids.
+/// Inserts copies together behind the last copied filter. Returns their ids.
 FilterIds duplicateFilters(Document& document, const FilterIds& ids);
-/// `index` counts in the list as it is. Returns the new ids.
+/// `index` counts in the present list. Returns the new ids.
 FilterIds insertFilters(Document& document, std::size_t index, const std::vector<PipelineStep>& steps,
                         const QString& text);
-/// Moves filters by one row, all together; changes nothing when the first or last of them is at that end of the list.
+/// Moves filters by one row, all together. Changes nothing when one of them is at that end of the list.
 void moveFilters(Document& document, const FilterIds& ids, int direction);
-/// Moves filters together into the gap before the row `gap` of the list as it is.
+/// Moves filters together into the gap before the row `gap` of the present list.
 void moveFiltersTo(Document& document, const FilterIds& ids, std::size_t gap);
 void switchFilters(Document& document, const FilterIds& ids, bool on);
-/// Switches off everything behind, but the Collapse that a block which is open there needs.
+/// Switches off all later filters, except the Collapse of a block that is open there.
 void runOnlyUpTo(Document& document, int id);
-/// Leaves on what is given, and what blocks around it need.
+/// Switches off all filters except the given ones and those that the blocks around them need.
 void switchOthersOff(Document& document, const FilterIds& ids);
 void switchAllOn(Document& document);
-/// Filters as lines of a pipeline file.
+/// The filters as lines of a pipeline file.
 std::string filtersAsText(const Document& document, const FilterIds& ids);
 
 }  // namespace footfall::ui

@@ -115,7 +115,7 @@ FilterRow* FilterList::makeRow(const FilterEntry& entry) {
       Qt::QueuedConnection);
   if (row->placeButton()) row->placeButton()->setChecked(placing_ == entry.id);
   connect(row, &FilterRow::draggingChanged, &controller_, &RunController::setDragging);
-  // Later: the row that sends this goes with it.
+  // The row is removed later, because it is the sender.
   connect(row, &FilterRow::removeRequested, &document_, &Document::removeFilter, Qt::QueuedConnection);
   row->installEventFilter(this);
   for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
@@ -149,7 +149,7 @@ void FilterList::showFilters() {
   selection_.setRows(ids);
   showSelection();
   showStatuses();
-  if (hadFocus && !rowOf(focusWidget())) focusCurrent();  // the row with the focus is gone
+  if (hadFocus && !rowOf(focusWidget())) focusCurrent();  // the focused row was removed
 }
 
 void FilterList::placeRows(std::vector<FilterRow*> rows) {
@@ -194,7 +194,7 @@ void FilterList::showSelection() {
   emit selectionChanged();
 }
 
-// While the mouse holds a row, nothing moves under it.
+// Rows do not move while the mouse holds one.
 void FilterList::openCurrent() {
   for (FilterRow* row : rows_) row->setOpen(row->entryId() == selection_.current());
   giveRowsTheirHeight();

@@ -1,4 +1,4 @@
-// The pipeline as a list of rows that can be added to, selected, dragged and edited.
+// The pipeline as a list of rows that users add, select, drag and edit.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,9 +17,9 @@
 
 namespace footfall::ui {
 
-/// Shows a document's filters with the states of a controller's steps; edits go to the document. Up and Down go from
-/// row to row (Shift: select on the way), Home and End to the ends; FilterActions has the other keys. A field keeps its
-/// own keys, all but Alt with Up and Down.
+/// Shows a document's filters with the states of a controller's steps; edits go to the document. Up and Down move
+/// between rows (Shift extends the selection), Home and End move to the ends; FilterActions has the other keys. A
+/// focused field handles its own keys, except Alt with Up and Down.
 class FilterList : public QWidget {
   Q_OBJECT
 
@@ -33,20 +33,20 @@ class FilterList : public QWidget {
   [[nodiscard]] const TimeStrip& timeStrip() const { return *times_; }
   [[nodiscard]] FilterActions& actions() const { return *actions_; }
   [[nodiscard]] const FilterSelection& selection() const { return selection_; }
-  /// Selects rows, gives the last of them the focus and scrolls it into sight.
+  /// Selects rows, focuses the last of them and scrolls it into view.
   void choose(const FilterIds& ids);
-  /// New filters take their defaults in this scale.
+  /// New filters get their defaults in this scale.
   void setUnits(const LevelUnits& units);
-  /// The row whose seeds are being placed in the view; -1: none.
+  /// Sets the row whose seeds are being placed in the view; -1: none.
   void setPlacing(int id);
 
  signals:
   void selectionChanged();
-  /// Somebody wants to place seeds of a row, or no more.
+  /// Emitted when the user begins or ends placing the seeds of a row.
   void placingRequested(int id, bool on);
-  /// The mouse has come to a value of a filter, or has left it.
+  /// Emitted when the mouse enters or leaves a value of a filter.
   void parameterPointed(int id, std::size_t parameter, bool on);
-  /// Somebody wants to see the cells of a strategy.
+  /// Emitted when the user chooses to see the cells of a strategy.
   void previewRequested(int id);
   void failed(const QString& message);
 
@@ -63,7 +63,8 @@ class FilterList : public QWidget {
   void showSelection();
   void openCurrent();
   void fillAddMenu(QMenu& menu);
-  /// Wrapped notes need more height than their smallest: the scroll area must not squeeze rows.
+  /// Gives rows the height of their wrapped notes, which is more than their minimum; the scroll area must not compress
+  /// rows.
   void giveRowsTheirHeight();
   FilterRow* makeRow(const FilterEntry& entry);
   [[nodiscard]] FilterRow* rowOf(const QObject* widget) const;
@@ -96,7 +97,7 @@ class FilterList : public QWidget {
   QLabel* empty_;
   std::vector<FilterRow*> rows_;
   int placing_ = -1;
-  FilterRow* pressed_ = nullptr;  ///< by the mouse, where it can be dragged
+  FilterRow* pressed_ = nullptr;  ///< row pressed where it can be dragged
   QPoint pressedAt_;
   bool keepsSelection_ = false;  ///< the press may begin a drag of several rows
   FilterRow* dragged_ = nullptr;

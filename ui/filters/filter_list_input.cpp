@@ -1,4 +1,4 @@
-// FilterList: what the mouse and the keys do.
+// FilterList: handling of mouse and keyboard.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QAbstractButton>
 #include <QApplication>
@@ -16,7 +16,7 @@
 namespace footfall::ui {
 
 bool FilterList::event(QEvent* event) {
-  // What no row has taken: paste and select all, also where there is no row yet.
+  // Handles keys that no row has handled: paste and select all also work in an empty list.
   if ((event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress) && !typing()) {
     if (actions_->handleKey(*static_cast<QKeyEvent*>(event), event->type() == QEvent::KeyPress)) {
       event->accept();
@@ -26,7 +26,7 @@ bool FilterList::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-// What a field does not want of its keys is nobody's.
+// Keys that a field does not use have no other effect.
 bool FilterList::typing() const { return qobject_cast<const QLineEdit*>(focusWidget()) && rowOf(focusWidget()); }
 
 bool FilterList::eventFilter(QObject* watched, QEvent* event) {
@@ -44,7 +44,7 @@ bool FilterList::eventFilter(QObject* watched, QEvent* event) {
       break;
     case QEvent::FocusIn:
       if (choosing_ || selection_.current() == row->entryId()) break;
-      // The press that brought it comes next, and knows of Shift and Ctrl.
+      // The press that gave the focus follows, and has Shift and Ctrl.
       if (watched == row && static_cast<QFocusEvent*>(event)->reason() == Qt::MouseFocusReason) break;
       selection_.choose(row->entryId());
       showSelection();
@@ -67,12 +67,12 @@ bool FilterList::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-// Labels pass their presses on to the row; buttons and fields have their own use for them.
+// Labels pass presses on to the row; buttons and fields handle them.
 bool FilterList::handlePress(FilterRow* row, const QObject* watched, const QMouseEvent& event) {
   const bool onHandle = watched == row->handle();
   if (watched != row && !onHandle) return false;
   const bool chosen = selection_.contains(row->entryId());
-  // Pressing into a selection keeps it: it may be dragged, or get a menu.
+  // A press on a selected row keeps the selection, for a drag or a menu.
   const bool plain = event.modifiers() == Qt::NoModifier;
   const bool keeps = chosen && plain;
   pressed_ = event.button() == Qt::LeftButton && plain ? row : nullptr;
@@ -97,7 +97,7 @@ bool FilterList::handleMove(const QMouseEvent& event) {
   return true;
 }
 
-// Without a drag, a press into several selected rows chooses the one under the mouse.
+// A press on one of several selected rows selects it when no drag follows.
 bool FilterList::handleRelease() {
   FilterRow* row = std::exchange(pressed_, nullptr);
   if (!row) return false;
@@ -127,11 +127,11 @@ bool FilterList::handleKey(FilterRow* row, const QObject* watched, QKeyEvent& ke
   const bool plain = key.modifiers() == Qt::NoModifier || key.modifiers() == Qt::KeypadModifier;
   const bool enter = plain && (key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter);
   if (typing() || qobject_cast<const QLineEdit*>(watched)) {
-    return enter && !perform;  // the field's own, and nobody's shortcut
+    return enter && !perform;  // the field handles these keys, and no shortcut uses them
   }
-  if (key.key() == Qt::Key_Space && watched != row) return false;  // a button's
+  if (key.key() == Qt::Key_Space && watched != row) return false;  // the button handles the space key
   if (enter && watched == row) {
-    // Into the first field.
+    // Focuses the first field.
     for (QLineEdit* field : row->findChildren<QLineEdit*>()) {
       if (perform && field->isEnabled()) {
         field->setFocus(Qt::TabFocusReason);
@@ -171,7 +171,7 @@ void FilterList::focusCurrent() {
   choosing_ = true;
   row->setFocus(Qt::TabFocusReason);
   choosing_ = false;
-  // Later: a new row has no place yet.
+  // The scroll happens later, because a new row has no place yet.
   const int id = row->entryId();
   QMetaObject::invokeMethod(
       this,

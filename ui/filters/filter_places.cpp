@@ -22,7 +22,7 @@ Pipeline withInserted(const Pipeline& pipeline, std::size_t index, const std::ve
   return next;
 }
 
-// The end of the local filters that begin at `index`; what is switched off does not end them.
+// The end of the local filters that begin at `index`; disabled filters do not end them.
 std::size_t endOfLocal(const std::vector<PipelineStep>& steps, std::size_t index) {
   std::size_t end = index;
   for (std::size_t i = index; i < steps.size(); ++i) {
@@ -43,7 +43,7 @@ bool isInBlock(const Pipeline& pipeline, std::size_t index) {
   return open;
 }
 
-// A clearance that is switched off, the nearest before the row; end() where there is none.
+// The nearest disabled clearance before the row; end() where there is none.
 auto clearanceOff(std::vector<FilterEntry>& filters, int id) {
   auto found = filters.end();
   for (auto entry = filters.begin(); entry != filters.end() && entry->id != id; ++entry)

@@ -1,4 +1,4 @@
-// Where filters can be added to a list.
+// Checks where filters can be added to a list.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,18 +10,18 @@
 
 namespace footfall::ui {
 
-/// Why a new `filter` at the place `index` of the list would keep it from running; empty where it would not. A filter
-/// without seeds is not refused: seeds come after it.
+/// The reason why a new `filter` at the place `index` would prevent the list from running; empty where it would not. A
+/// filter without seeds is accepted, because seeds are added later.
 QString whyNotAt(const Pipeline& pipeline, std::size_t index, const FilterDescriptor& filter, double metresPerUnit);
 
-/// Adds a new filter, one edit. A strategy comes with a Collapse behind the local filters that follow it. Returns the
-/// id of the filter alone.
+/// Adds a new filter as one edit. A strategy is added with a Collapse behind the local filters that follow it. Returns
+/// the id of the filter alone.
 FilterIds addFilterAt(Document& document, std::size_t index, const FilterDescriptor& filter, double metresPerUnit,
                       const QString& text);
 
-/// Switches on the last Vertical clearance filter before a row, or adds one before it, one edit.
+/// Enables the last Vertical clearance filter before a row, or adds one before it, as one edit.
 void provideClearance(Document& document, int id, double metresPerUnit);
-/// Whether a Vertical clearance filter stands before the row, switched off.
+/// Returns whether a disabled Vertical clearance filter stands before the row.
 bool hasClearanceOff(const Document& document, int id);
 
 }  // namespace footfall::ui

@@ -19,10 +19,10 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kMark = 16;          // pixels of the sign of a state
-constexpr int kFieldLetters = 15;  // of the width of a field
-constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields stand in a column
-constexpr int kGroupLetters = 8;   // of the width of a field of a group, at least
+constexpr int kMark = 16;          // size in pixels of the mark of a state
+constexpr int kFieldLetters = 15;  // width of a field
+constexpr int kUnitLetters = 9;    // width of the unit behind it, so that fields are aligned
+constexpr int kGroupLetters = 8;   // least width of a field in a group
 constexpr std::size_t kMostGroups = 24;
 
 std::size_t fieldsFor(const FilterDescriptor& filter, std::size_t values) {
@@ -221,7 +221,7 @@ void FilterRow::addNumber(const ParameterDescriptor& parameter, std::size_t inde
   units_.push_back(unit);
 }
 
-// A line for each seed: its number, its coordinates, and what takes it away.
+// Adds a line for each seed: its number, its coordinates, and the button that removes it.
 void FilterRow::addGroups(QVBoxLayout* layout, std::size_t values) {
   const std::size_t once = filter_.parameters.size() - filter_.repeats, count = fieldsFor(filter_, values);
   groups_ = new QWidget(this);
@@ -292,7 +292,7 @@ void FilterRow::showUnits() {
   if (groupUnit_) groupUnit_->setText(unitText(filter_.parameters.back().unit, shown_));
 }
 
-// Values that have names of their own ("yes") mean nothing without their label.
+// Values that are words ("yes") have no meaning without their label.
 void FilterRow::showSummary() {
   QStringList parts;
   const std::size_t once = filter_.parameters.size() - filter_.repeats;
@@ -319,7 +319,7 @@ void FilterRow::setClearanceOff(bool off) {
   mend_->setText((off ? tr("Switch %1 on") : tr("Add %1")).arg(clearance));
 }
 
-// Setting what is set already costs a layout of the whole list.
+// Properties are set only when they change, because each change lays out the whole list.
 void FilterRow::showParts() {
   const auto show = [](QWidget* widget, bool visible) {
     if (widget && widget->isHidden() == visible) widget->setVisible(visible);

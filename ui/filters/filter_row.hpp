@@ -17,8 +17,8 @@
 
 namespace footfall::ui {
 
-/// Shows an entry and its status; emits a signal for what the user does to it and changes nothing itself. A closed row
-/// is one line with its values as text; an open one has their fields, too.
+/// Shows an entry and its status. It emits a signal for each action of the user and changes nothing itself. A collapsed
+/// row is one line with its values as text; an expanded row also has their fields.
 class FilterRow : public QFrame {
   Q_OBJECT
 
@@ -26,9 +26,10 @@ class FilterRow : public QFrame {
   explicit FilterRow(const FilterEntry& entry, QWidget* parent = nullptr);
 
   [[nodiscard]] int entryId() const { return id_; }
-  /// Whether the row has the fields that an entry needs: a step whose values repeat may have more or fewer of them.
+  /// Returns whether the row has the fields that an entry needs: a step with repeated values may have more or fewer of
+  /// them.
   [[nodiscard]] bool fits(const FilterEntry& entry) const;
-  /// The same filter with other values, which it fits.
+  /// Sets other values of the same filter; they must fit.
   void setEntry(const FilterEntry& entry);
   void setStatus(const StepStatus& status);
   /// Marks the rows of a parallel block, from its strategy to its Collapse.
@@ -37,32 +38,33 @@ class FilterRow : public QFrame {
   /// A row with a field whose text is no valid value stays open.
   void setOpen(bool open);
   [[nodiscard]] bool isOpen() const { return open_; }
-  /// The step's part of the time of all; nothing where it has no time.
+  /// The step's share of the total time; empty where it has no time.
   void setShare(std::optional<double> share, const QColor& colour);
   void setUnits(const LevelUnits& units);
 
-  /// Where the row can be dragged.
+  /// The part of the row that starts a drag.
   [[nodiscard]] QWidget* handle() const { return handle_; }
   /// The NumberField or QCheckBox of a value.
   [[nodiscard]] QWidget* field(std::size_t value) const { return fields_[value]; }
-  /// The first values; where a filter has very many, the others have no field.
+  /// The number of fields. A filter with very many values has fields for the first ones only.
   [[nodiscard]] std::size_t fieldCount() const { return fields_.size(); }
-  /// Null for filters without seeds.
+  /// The button that places seeds; null for filters without seeds.
   [[nodiscard]] QToolButton* placeButton() const { return place_; }
   /// The button that removes the seed `group`.
   [[nodiscard]] QToolButton* removeGroupButton(std::size_t group) const { return removeGroup_[group]; }
   [[nodiscard]] QCheckBox* enabledBox() const { return enabled_; }
   [[nodiscard]] QLabel* nameLabel() const { return name_; }
-  /// The values of a closed row, e.g. "45°".
+  /// The values of a collapsed row, e.g. "45°".
   [[nodiscard]] QString summaryText() const { return summary_->text(); }
-  /// What a skipped row offers: to switch Vertical clearance on, or to add it.
+  /// The button of a skipped row that enables or adds Vertical clearance.
   [[nodiscard]] QToolButton* mendButton() const { return mend_; }
-  /// Whether the Vertical clearance filter that a skipped row needs is there and off; else there is none.
+  /// Sets whether the Vertical clearance filter that a skipped row needs exists and is disabled; otherwise there is
+  /// none.
   void setClearanceOff(bool off);
   [[nodiscard]] QToolButton* removeButton() const { return remove_; }
-  /// Null for filters that are no strategy.
+  /// The button that shows the cells; null for filters that are no strategy.
   [[nodiscard]] QToolButton* previewButton() const { return preview_; }
-  /// What stands behind the field of a parameter that is a number, e.g. "degrees".
+  /// The unit behind the field of a number, e.g. "degrees".
   [[nodiscard]] QString unitOf(std::size_t parameter) const { return units_[parameter]->text(); }
   [[nodiscard]] const ShareBar& shareBar() const { return *share_; }
   [[nodiscard]] QString figuresText() const { return figures_->text(); }
@@ -73,16 +75,16 @@ class FilterRow : public QFrame {
   void enabledEdited(int id, bool enabled);
   void valueEdited(int id, std::size_t parameter, double value, int editSession);
   void removeRequested(int id);
-  /// The Vertical clearance filter that the row needs is to be there.
+  /// Emitted when the user chooses to get the Vertical clearance filter that the row needs.
   void clearanceRequested(int id);
-  /// Only of strategies.
+  /// Emitted by strategies only.
   void previewRequested(int id);
-  /// Seeds are to be placed in the view, or no more.
+  /// Emitted when the user begins or ends placing seeds in the view.
   void placingRequested(int id, bool on);
   void groupRemoved(int id, std::size_t group);
-  /// A value is held by the mouse, or let go.
+  /// Emitted when the drag of a value begins or ends.
   void draggingChanged(bool dragging);
-  /// The mouse has come to a value or to its name, or has left it.
+  /// Emitted when the mouse enters or leaves a value or its name.
   void parameterPointed(int id, std::size_t parameter, bool on);
 
  protected:
@@ -121,8 +123,8 @@ class FilterRow : public QFrame {
   QLabel* groupUnit_ = nullptr;
   QLabel* moreGroups_ = nullptr;
   std::vector<QWidget*> fields_;
-  std::vector<QLabel*> names_;  ///< of the first fields, those that stand once
-  std::vector<QLabel*> units_;  ///< null for booleans and for groups, which have one unit together
+  std::vector<QLabel*> names_;  ///< names of the first fields, which do not repeat
+  std::vector<QLabel*> units_;  ///< null for booleans and for groups, which share one unit
   LevelUnits shown_;
   QWidget* parameters_ = nullptr;
   QWidget* groups_ = nullptr;

@@ -1,4 +1,4 @@
-// Which rows of the filter list are selected.
+// The selected rows of the filter list.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,24 +7,24 @@
 
 namespace footfall::ui {
 
-/// Selects rows as lists of files do: one current row, a range from an anchor to it with Shift, single rows with Ctrl.
-/// Rows are known by the ids of their filters.
+/// Selects rows as file lists do: one current row, a range from an anchor to it with Shift, single rows with Ctrl. Rows
+/// are identified by the ids of their filters.
 class FilterSelection {
  public:
-  /// In their new order; what is gone is no longer selected. A current row that is gone hands over to the row that now
-  /// stands there.
+  /// Sets the rows in their new order; removed rows are no longer selected. When the current row was removed, the row
+  /// in its place becomes current.
   void setRows(const std::vector<int>& ids);
-  /// A row is clicked, or gets the focus without a modifier.
+  /// Called when a row is clicked, or gets the focus without a modifier.
   void choose(int id, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
-  /// Up or down by rows, stopping at the ends; with `extend` from the anchor.
+  /// Moves up or down by rows, stopping at the ends; with `extend`, selects from the anchor.
   void step(int rows, bool extend);
   void chooseAll();
   void choose(const std::vector<int>& ids);
 
   [[nodiscard]] bool contains(int id) const;
-  /// In the order of the list.
+  /// The selected rows in the order of the list.
   [[nodiscard]] std::vector<int> ids() const;
-  /// -1: none.
+  /// The current row; -1: none.
   [[nodiscard]] int current() const { return current_; }
 
  private:

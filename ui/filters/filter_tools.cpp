@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kAgentKeys = 9;
 
-// In the context that lupdate finds for functions that belong to no class.
+// Uses the context that lupdate finds for functions that belong to no class.
 void addListCommands(const FeatureHost& host, FilterList& list) {
   CommandRegistry& commands = host.commands;
   for (const FilterActions::Entry& entry : list.actions().entries())

@@ -1,4 +1,4 @@
-// Places of a result at which a step or a gap can be seen.
+// Places of a result where a step or a gap is visible.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,12 +11,12 @@
 namespace footfall::ui {
 
 struct MeasurePlace {
-  Vec3 at;           ///< the middle of the lower edge of a step, or of the first edge of a gap
-  Vec3 along;        ///< level, a unit vector: along a step's edge, over a gap
-  double value = 0;  ///< the height of the step, or the width of the gap
+  Vec3 at;           ///< middle of the lower edge of a step, or of the first edge of a gap
+  Vec3 along;        ///< level unit vector: along a step's edge, or across a gap
+  double value = 0;  ///< height of the step, or width of the gap
 };
 
-/// The link of a kind that is nearest to a place, of those that `isShown` says can be seen.
+/// The link of a kind nearest to a place, among those for which `isShown` is true.
 std::optional<MeasurePlace> findLink(const NavigationMesh& result, StepKind kind, const Vec3& near,
                                      const std::function<bool(const Vec3&)>& isShown);
 

@@ -15,11 +15,11 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kGrabPixels = 10;
-constexpr double kArmPixels = 140;        // of an angle
-constexpr int kRestMs = 150;              // without a movement of the camera
-constexpr int kFirstSession = 1'000'000;  // fields count theirs from 0
+constexpr double kArmPixels = 140;        // length of an angle's sides
+constexpr int kRestMs = 150;              // time without a movement of the camera
+constexpr int kFirstSession = 1'000'000;  // fields count their sessions from 0
 constexpr double kLengthGrain = 0.01, kMillimetreGrain = 1, kAngleGrain = 0.5, kFine = 0.1;
-constexpr double kSteepest = 89.9;  // degrees: a drag goes no further
+constexpr double kSteepest = 89.9;  // in degrees, the limit of a drag
 
 QString overlayName(std::size_t measure) { return QStringLiteral("measure.%1").arg(measure); }
 
@@ -46,7 +46,7 @@ ParameterHandles::ParameterHandles(const FeatureHost& host, LevelView& view, Doc
   connect(&view_, &LevelView::environmentChanged, this, [this] {
     place_.reset();
     searched_ = false;
-    resting_.start();  // nothing is drawn yet
+    resting_.start();  // nothing has been drawn yet
   });
   connect(&list_, &FilterList::selectionChanged, this, &ParameterHandles::update);
   connect(&list_, &FilterList::parameterPointed, this, [this](int id, std::size_t parameter, bool on) {
@@ -68,13 +68,13 @@ ParameterHandles::ParameterHandles(const FeatureHost& host, LevelView& view, Doc
   view_.installEventFilter(this);
 }
 
-// --- What is shown
+// --- Display
 
 void ParameterHandles::update() {
   const std::size_t before = measures_.size();
   measures_.clear();
   const auto isPointed = [this](const FilterEntry& entry) { return entry.id == pointed_->filter; };
-  if (pointed_ && std::ranges::none_of(document_.filters(), isPointed)) pointed_.reset();  // its row has gone
+  if (pointed_ && std::ranges::none_of(document_.filters(), isPointed)) pointed_.reset();  // its row was removed
   const int current = pointed_ && !hold_ ? pointed_->filter : list_.selection().current();
   const auto entry = std::ranges::find(document_.filters(), current, &FilterEntry::id);
   const bool isThere = entry != document_.filters().end() && entry->step.enabled && !view_.tool() &&
@@ -112,7 +112,7 @@ std::optional<Vec3> ParameterHandles::floorAt(const QPoint& place) const {
   return found->point;
 }
 
-// Where it was, as long as that is in view; else the first floor around the middle.
+// Keeps the present place as long as it is visible; otherwise finds the first floor around the middle.
 void ParameterHandles::findPlace() {
   if ((place_ && isInView(*place_)) || resting_.isActive() || std::exchange(searched_, true)) return;
   constexpr std::array<std::array<double, 2>, 9> kAround{
@@ -135,7 +135,7 @@ void ParameterHandles::addMeasure(const FilterEntry& entry, std::size_t paramete
   const std::optional<MeasureKind> kind = measureKindOf(filter, parameter);
   if (!kind) return;
   const ParameterDescriptor& description = filter.parameterOf(parameter);
-  // What follows another value, and is the same, is drawn with that.
+  // A value that follows another and is equal is drawn with it.
   const std::vector<double>& values = entry.step.values;
   if (!pointed_ && description.follows >= 0 &&
       values[static_cast<std::size_t>(description.follows)] == values[parameter])
@@ -146,7 +146,7 @@ void ParameterHandles::addMeasure(const FilterEntry& entry, std::size_t paramete
   measure.kind = *kind;
   measure.value = values[parameter];
   measure.at = *place_;
-  // Across the line of sight, where angles and lengths are seen best.
+  // The direction is across the line of sight, where angles and lengths are most visible.
   const qglviewer::Vec right = view_.camera()->rightVector();
   const double level = std::hypot(right.x, right.y);
   measure.along = level > 0 ? Vec3{right.x / level, right.y / level, 0} : Vec3{1, 0, 0};
@@ -157,7 +157,7 @@ void ParameterHandles::addMeasure(const FilterEntry& entry, std::size_t paramete
   measure.text = tr("%1: %2").arg(filterText(description.label), value);
   const auto run = controller_.finishedRun();
   if (filter.type == FilterType::Step && run && run->result.mesh) {
-    // The link stays the same while its handle is held, also when there is none any more.
+    // The link does not change while its handle is held, even when the link disappears.
     if (hold_ && hold_->start.parameter == parameter) {
       measure.at = hold_->start.at;
       measure.along = hold_->start.along;
@@ -171,7 +171,7 @@ void ParameterHandles::addMeasure(const FilterEntry& entry, std::size_t paramete
   measures_.push_back(std::move(measure));
 }
 
-// --- The mouse
+// --- Mouse
 
 std::optional<std::size_t> ParameterHandles::handleAt(const QPoint& place) const {
   std::optional<std::size_t> nearest;
@@ -267,7 +267,7 @@ void ParameterHandles::ended() {
   hovered_.reset();
 }
 
-// Esc is the shortcut of Cancel as well.
+// Esc is also the shortcut of Cancel.
 bool ParameterHandles::eventFilter(QObject* watched, QEvent* event) {
   const bool isKey = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
   if (!hold_ || !isKey || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)

@@ -1,4 +1,4 @@
-// Measures of the selected filter in the view, with handles that change its values.
+// Draws measures of the selected filter in the view, with handles that change its values.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,9 +15,10 @@
 
 namespace footfall::ui {
 
-/// Shows what the values of the current row mean, or the value that the mouse is on in the list: in the middle of the
-/// view at first, where somebody clicks then; steps and gaps at a link of the result near there, where one is in sight.
-/// Dragging a handle edits the value (Shift: finer, Esc: back). While a tool has the mouse, there are none.
+/// Shows the values of the current row, or the value under the mouse in the list. They appear in the middle of the view
+/// at first, and then where the user clicks; steps and gaps appear at a link of the result near there, where one is
+/// visible. Dragging a handle edits the value (Shift: finer, Esc: cancels). There are no handles while a tool is
+/// active.
 class ParameterHandles : public QObject, public ViewTool {
   Q_OBJECT
 
@@ -25,7 +26,7 @@ class ParameterHandles : public QObject, public ViewTool {
   ParameterHandles(const FeatureHost& host, LevelView& view, Document& document, RunController& controller,
                    FilterList& list);
 
-  /// What is shown; empty while nothing is.
+  /// The measures that are shown; empty while there are none.
   [[nodiscard]] const std::vector<ParameterMeasure>& measures() const { return measures_; }
 
   bool mousePressed(const ViewMouse& mouse) override;
@@ -33,7 +34,7 @@ class ParameterHandles : public QObject, public ViewTool {
   void mouseReleased(const ViewMouse& mouse) override;
   void clicked(const ViewMouse& mouse) override;
   void mouseLeft() override;
-  /// A tool has come.
+  /// A tool has become active.
   void ended() override;
 
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -70,9 +71,9 @@ class ParameterHandles : public QObject, public ViewTool {
   FilterList& list_;
   StatusLine& status_;
   LevelUnits units_;
-  std::optional<Pointed> pointed_;  ///< by the mouse in the list
+  std::optional<Pointed> pointed_;  ///< value under the mouse in the list
   std::optional<Vec3> place_;
-  bool searched_ = false;  ///< for a place, with what is in view now
+  bool searched_ = false;  ///< a place has been searched for in the present view
   std::vector<ParameterMeasure> measures_;
   std::optional<std::size_t> hovered_;
   std::optional<Hold> hold_;

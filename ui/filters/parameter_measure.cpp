@@ -15,20 +15,20 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kTick = 9;  // pixels, to either side of an end
+constexpr double kTick = 9;  // length in pixels, to either side of an end
 constexpr int kCircleSides = 72, kArcSides = 16;
 constexpr float kHandle = 13, kMarkedHandle = 17;
 
 double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
-/// A vector at an angle over the ground.
+/// The vector raised by an angle over the ground.
 Vec3 raised(const Vec3& along, double degrees) {
   return std::cos(radians(degrees)) * along + Vec3{0, 0, std::sin(radians(degrees))};
 }
 
 void addPath(ViewOverlay::Lines& lines, const std::vector<Vec3>& points) {
   for (std::size_t i = 1; i < points.size(); ++i) {
-    // They overlap: their ends are soft.
+    // Segments overlap, because their ends are blurred.
     const Vec3 more = 0.2 * (points[i] - points[i - 1]);
     lines.segments.push_back({points[i - 1] - more, points[i] + more});
   }

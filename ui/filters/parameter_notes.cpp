@@ -10,7 +10,7 @@ ParameterNotes::ParameterNotes(Document& document, LevelFile& file, MessageBar& 
     : QObject(parent), document_(document), file_(file), messages_(messages) {
   connect(&file_, &LevelFile::opened, this, &ParameterNotes::measure);
   connect(&file_, &LevelFile::rereadDone, this, &ParameterNotes::measure);
-  // Behind the window, which takes messages about the filters away.
+  // The hint is shown after the window's handler, which removes messages about the filters.
   connect(&document_, &Document::filtersChanged, this, &ParameterNotes::show, Qt::QueuedConnection);
 }
 
@@ -24,7 +24,7 @@ void ParameterNotes::measure() {
         emit measured(measures);
         show();
       },
-      [](const std::exception&) {});  // without memory for it there are no hints
+      [](const std::exception&) {});  // there are no hints without memory
 }
 
 void ParameterNotes::show() {

@@ -1,4 +1,4 @@
-// Notes on what the numbers of the filters will do to the level that is hardly meant.
+// Hints about filter values that do not suit the level.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,9 +14,8 @@
 
 namespace footfall::ui {
 
-/// Measures each level that is opened in the background, and shows a hint where the filters do not suit it, then and
-/// after edits; each hint once, and none where another message stands. A scale that is a guess is asked about
-/// elsewhere.
+/// Measures each opened level in the background, and shows a hint where the filters do not suit it, then and after
+/// edits. Each hint appears once, and never replaces another message. ScaleQuestion handles a guessed scale.
 class ParameterNotes : public QObject {
   Q_OBJECT
 
@@ -24,7 +23,7 @@ class ParameterNotes : public QObject {
   ParameterNotes(Document& document, LevelFile& file, MessageBar& messages, QObject* parent);
 
  signals:
-  /// A level has been measured.
+  /// Emitted when a level has been measured.
   void measured(const footfall::detail::LevelMeasures& measures);
 
  private:
@@ -34,9 +33,9 @@ class ParameterNotes : public QObject {
   Document& document_;
   LevelFile& file_;
   MessageBar& messages_;
-  std::optional<LevelMeasures> measures_;  ///< of the level; empty until it is measured
+  std::optional<LevelMeasures> measures_;  ///< measures of the level; empty until it is measured
   QString told_;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -42,7 +42,7 @@ void PresetsMenu::fill() {
   }
   const QStringList own = store_.names();
   addSection(tr("Your own"));
-  // A letter of a name is no key of the menu.
+  // An ampersand in a name must not become a mnemonic.
   const auto shown = [](QString name) { return name.replace(QLatin1Char('&'), QLatin1String("&&")); };
   for (const QString& name : own) {
     QAction* action = addAction(shown(name), this, [this, name] {
@@ -83,7 +83,7 @@ void PresetsMenu::saveAs() {
   });
 }
 
-// Without a question: it can be taken back.
+// Removes without a question, because it can be undone.
 void PresetsMenu::remove(const QString& name) {
   guarded([&] {
     const QByteArray content = store_.remove(name);

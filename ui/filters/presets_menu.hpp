@@ -1,4 +1,4 @@
-// The menu of presets: take one, keep the list as one, rename and delete one's own.
+// The menu of presets: loads a preset, saves the list as one, and renames and deletes the user's own.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace footfall::ui {
 
-/// Filled each time it is shown, as files may come and go.
+/// The menu is filled each time it is shown, because files may change.
 class PresetsMenu : public QMenu {
   Q_OBJECT
 
  public:
   PresetsMenu(Document& document, PresetStore store, QWidget* parent = nullptr);
   void setMetresPerUnit(double metresPerUnit) { metresPerUnit_ = metresPerUnit; }
-  /// Asks for a name.
+  /// Opens a dialog for the name.
   void saveAs();
 
  signals:
   void failed(const QString& message);
-  /// Something has been done that `undo` takes back.
+  /// Emitted after an action that `undo` reverses.
   void done(const QString& text, const QString& undoLabel, const std::function<void()>& undo);
 
  private:

@@ -11,11 +11,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kNumbers = 3;  // of a seed
+constexpr std::size_t kNumbers = 3;  // numbers in a seed
 
 bool isReachable(const FilterEntry& entry) { return entry.step.filter->type == FilterType::Reachable; }
 
-/// The values of a filter's step; null where it is none with seeds.
+/// The values of a filter's step; null where the filter has no seeds.
 std::vector<double>* valuesOf(DocumentState& state, int id) {
   const auto entry = std::ranges::find(state.filters, id, &FilterEntry::id);
   return entry != state.filters.end() && isReachable(*entry) ? &entry->step.values : nullptr;

@@ -10,18 +10,18 @@
 
 namespace footfall::ui {
 
-/// Places are along the file's axes, in its units. Nothing happens where there is no such filter or seed.
+/// Places are along the file's axes, in its units. Edits of a missing filter or seed have no effect.
 
 /// The seeds of a filter by its id.
 std::vector<Vec3> seedsOf(const Document& document, int id);
-/// The last ReachableFilter, if possible one that is switched on; -1: there is none.
+/// The last ReachableFilter, preferably an enabled one; -1: there is none.
 int filterOfSeeds(const Document& document);
 void addSeed(Document& document, int id, const Vec3& place);
-/// Values with the same merge key become one edit.
+/// Moves with the same merge key become one edit.
 void moveSeed(Document& document, int id, std::size_t seed, const Vec3& place, const QString& mergeKey);
 void removeSeed(Document& document, int id, std::size_t seed);
-/// A new filter with one seed: behind the last StepFilter or clearance that is switched on and outside of blocks, else
-/// at the end. Returns its id.
+/// Adds a filter with one seed behind the last enabled StepFilter or clearance outside of blocks, else at the end.
+/// Returns its id.
 int addFilterWithSeed(Document& document, const Vec3& place);
 
 }  // namespace footfall::ui

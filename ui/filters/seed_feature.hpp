@@ -1,4 +1,4 @@
-// Seeds of the filter list in the view: which filter's are drawn, and the command that places them.
+// The seeds of the filter list in the view, and the command that places them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace footfall::ui {
 
-/// The filter is the current row, if it has seeds, else the last one that has. Its seeds are drawn while the tool has
-/// the mouse and while its row is the current one.
+/// The filter is the current row, if it has seeds, else the last one that has. Its seeds are drawn while the tool is
+/// active and while its row is the current one.
 class SeedFeature : public QObject {
   Q_OBJECT
 

@@ -15,8 +15,8 @@ namespace {
 
 const QString kSeedsOverlay = QStringLiteral("seeds");
 constexpr double kGrabPixels = 10;
-constexpr double kGrain = 1e-5;  // of the extent, at most
-constexpr double kLift = 10;     // grains over what was clicked: enough where floors slope by up to 86 degrees
+constexpr double kGrain = 1e-5;  // the largest share of the extent
+constexpr double kLift = 10;     // in grains, above the clicked place: enough for floors that slope by up to 86 degrees
 constexpr std::size_t kMostLabels = 200;
 
 QColor seedColour() { return toColour(kReddishPurple); }
@@ -74,7 +74,7 @@ std::optional<std::size_t> SeedTool::seedAt(const QPoint& place) const {
 }
 
 Vec3 SeedTool::seedFor(const Vec3& place) const {
-  // In the shortest digits: 2.1 and not 2.1000000000000001.
+  // Keeps the shortest digits: 2.1 and not 2.1000000000000001.
   const auto rounded = [this](double value) {
     return QString::number(std::round(value / grain_) * grain_, 'g', 12).toDouble();
   };
@@ -105,7 +105,7 @@ void SeedTool::mouseMoved(const ViewMouse& mouse) {
     draw();
     return;
   }
-  if (seedAt(mouse.place) == dragged_) return;  // not yet away from where it is
+  if (seedAt(mouse.place) == dragged_) return;  // the mouse is still on the seed
   if (const auto found = view_.pick(mouse.place))
     moveSeed(document_, filter_, *dragged_, seedFor(found->point), QStringLiteral("seed/%1").arg(session_));
 }

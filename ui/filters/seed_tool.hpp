@@ -1,4 +1,4 @@
-// The tool "Place seeds": clicks the places from where a ReachableFilter keeps what can be reached.
+// The tool "Place seeds": a click places a seed, from which a ReachableFilter keeps everything that can be reached.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,24 +12,24 @@
 
 namespace footfall::ui {
 
-/// A click places a seed, one with Ctrl or Shift on a seed removes it, Backspace the last one; seeds are dragged. Where
-/// the pipeline has no filter for seeds, the first click adds one.
+/// A click places a seed, a click with Ctrl or Shift on a seed removes it, Backspace removes the last one; seeds can be
+/// dragged. Where the pipeline has no filter for seeds, the first click adds one.
 ///
-/// A seed has to lie at or over its floor, exactly, and what is clicked is known as well as the view's floats can tell.
-/// So seeds are put a little higher, on numbers of few digits.
+/// A seed has to lie on or over its floor, exactly, and a clicked place has the precision of the view's floats. Seeds
+/// are therefore placed a little higher, at numbers of few digits.
 class SeedTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
   SeedTool(Document& document, LevelView& view, QObject* parent);
 
-  /// The filter whose seeds are drawn and edited; -1: none.
+  /// Sets the filter whose seeds are drawn and edited; -1: none.
   void setFilter(int id);
   [[nodiscard]] int filter() const { return filter_; }
-  /// Draws seeds, also while the tool does not have the mouse.
+  /// Sets whether seeds are drawn while the tool is not active.
   void setShown(bool shown);
   void setUnits(const LevelUnits& units);
-  /// The largest extent of the level, in its units.
+  /// Sets the largest extent of the level, in its units.
   void setExtent(double extent);
 
   bool mousePressed(const ViewMouse& mouse) override;
@@ -43,13 +43,13 @@ class SeedTool : public QObject, public ViewTool {
 
  signals:
   void hintChanged(const QString& hint);
-  /// The first click added a filter.
+  /// Emitted when the first click has added a filter.
   void filterAdded(int id);
   void draggingChanged(bool dragging);
 
  private:
   [[nodiscard]] std::optional<std::size_t> seedAt(const QPoint& place) const;
-  /// Along the file's axes, for a place of the level.
+  /// The seed for a place of the level, along the file's axes.
   [[nodiscard]] Vec3 seedFor(const Vec3& place) const;
   void endDrag();
   void draw();
@@ -58,10 +58,10 @@ class SeedTool : public QObject, public ViewTool {
   LevelView& view_;
   LevelUnits units_;
   int filter_ = -1;
-  double grain_ = 0.001;  ///< what coordinates of placed seeds are multiples of
+  double grain_ = 0.001;  ///< coordinates of placed seeds are multiples of this
   bool shown_ = false;
   std::optional<std::size_t> dragged_, hovered_;
-  int session_ = 0;  ///< one more with each drag
+  int session_ = 0;  ///< grows by one with each drag
 };
 
 }  // namespace footfall::ui

@@ -14,7 +14,7 @@ namespace {
 
 const QString kDifferenceOverlay = QStringLiteral("difference");
 constexpr int kAlpha = 215;
-constexpr std::size_t kMostDrawn = 40'000;  // triangles: overlays are sent to the graphics card with every frame
+constexpr std::size_t kMostDrawn = 40'000;  // in triangles: overlays are sent to the graphics card with every frame
 
 }  // namespace
 
@@ -62,7 +62,7 @@ CompareFeature::CompareFeature(const FeatureHost& host, LevelView& view, ViewLay
   connect(&controller_, &RunController::failed, this, resume);
   connect(&file_, &LevelFile::opened, watch_, &CompareWatch::forget);
   connect(&units_, &UnitChoice::changed, this, &CompareFeature::show);
-  // While the window goes, its docks still hide, and the view is gone by then.
+  // While the window is destroyed, its docks are hidden when the view no longer exists.
   connect(&host.commands, &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
   show();
 }
@@ -93,7 +93,7 @@ void CompareFeature::addCommands(CommandRegistry& commands) {
 void CompareFeature::choose(int choice) {
   if (choice == ComparePanel::SavedResult) {
     chooseFile();
-    show();  // the box goes back until there is a file
+    show();  // the box is reset until there is a file
     return;
   }
   if (choice == ComparePanel::LastEdit) {
@@ -129,7 +129,7 @@ void CompareFeature::takeResult() {
     const auto run = controller_.finishedRun();
     if (run) watch_->takeResult(run->result.mesh, document_.undoStack()->index());
   };
-  // A result that was known already comes while the undo stack still moves: it then tells where it was.
+  // A cached result arrives while the undo stack is still moving; its index is then the old one.
   if (std::exchange(isComputed_, false)) {
     take();
   } else {
@@ -156,7 +156,7 @@ void CompareFeature::show() {
   } else if (watch_->busy()) {
     if (!difference) panel_->showNote(tr("Comparing …"));
     panel_->setWaiting(true);
-    return;  // the last difference stays in sight
+    return;  // the last difference stays visible
   } else {
     panel_->showNote(with == CompareWith::Nothing ? tr("Choose what to compare the result with.")
                      : !controller_.finishedRun()
@@ -186,7 +186,7 @@ void CompareFeature::drawDifference(const SurfaceDifference& difference) {
   overlay.throughWalls = true;
   std::array<ViewOverlay::Surface, 2> surfaces;
   const std::array colours{wentColour(), appearedColour()};
-  // The largest regions, as far as they can be drawn with every frame.
+  // The largest regions, as many as can be drawn with every frame.
   std::vector<std::size_t> triangles(difference.regions.size(), 0);
   for (const auto& regionOf : difference.regionOf)
     for (const std::uint32_t region : regionOf) ++triangles[region];

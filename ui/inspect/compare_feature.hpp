@@ -1,4 +1,4 @@
-// The comparison of two results: panel, commands, what the view and the legend show of it.
+// The comparison of two results: panel, commands, overlays and legend entries.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,7 +25,7 @@ class CompareFeature : public QObject {
 
   [[nodiscard]] CompareWatch& watch() { return *watch_; }
   [[nodiscard]] ComparePanel& panel() { return *panel_; }
-  /// Compares with an exported result; shows the panel.
+  /// Compares with an exported result and shows the panel.
   void openSaved(const QString& path);
 
  private:

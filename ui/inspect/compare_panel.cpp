@@ -16,7 +16,7 @@ namespace {
 
 enum Column { What, Area, Place, kColumns };
 
-constexpr int kLeastLetters = 12;  // of the choice
+constexpr int kLeastLetters = 12;  // width of the choice
 
 QString partText(bool hasArea, double area, const CompareWriter& write) {
   return hasArea ? write.area(area) : ComparePanel::tr("nothing");
@@ -35,7 +35,7 @@ QIcon swatchOf(const QColor& colour) {
 
 }  // namespace
 
-// Lighter and darker than any floor: apart from the colours of layers for everybody.
+// Lighter and darker than any floor, so that everybody can distinguish them from the colours of layers.
 QColor appearedColour() { return {205, 255, 40}; }
 QColor wentColour() { return {120, 0, 70}; }
 

@@ -1,4 +1,4 @@
-// The panel "Compare": what appeared and what went, with the regions to go to.
+// The panel "Compare": lists the regions that appeared and disappeared.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,17 +14,18 @@
 
 namespace footfall::ui {
 
-/// The colours of the difference in view, legend and panel: what only this result has, and what only the other one has.
+/// The colours of the difference in view, legend and panel: regions that only this result has, and regions that only
+/// the other one has.
 QColor appearedColour();
 QColor wentColour();
 
-/// How areas and places of the level are written.
+/// Formats areas and places of the level.
 struct CompareWriter {
   std::function<QString(double)> area;
   std::function<QString(const Vec3&)> place;
 };
 
-/// Shows a comparison and emits signals for what the user asks; computes nothing.
+/// Shows a comparison and emits signals for the user's actions; computes nothing.
 class ComparePanel : public QWidget {
   Q_OBJECT
 
@@ -34,12 +35,12 @@ class ComparePanel : public QWidget {
 
   explicit ComparePanel(QWidget* parent = nullptr);
 
-  /// What it compares with; `file` is the name of the saved result.
+  /// Sets what the result is compared with; `file` is the name of the saved result.
   void setChoice(Choice choice, const QString& file);
-  /// Says why there is no difference to show.
+  /// Shows the reason why there is no difference.
   void showNote(const QString& note);
   void showDifference(const SurfaceDifference& difference, const CompareWriter& write);
-  /// Whether another difference is being computed.
+  /// Sets whether another difference is being computed.
   void setWaiting(bool waiting);
 
   [[nodiscard]] QCheckBox* distanceBox() const { return distance_; }
@@ -50,7 +51,7 @@ class ComparePanel : public QWidget {
  signals:
   void chosen(int choice);
   void distanceToggled(bool on);
-  /// A row was clicked, or Return was pressed on it: a place in SurfaceDifference::regions.
+  /// Emitted when a row is clicked, or Return is pressed on it; `region` is an index into SurfaceDifference::regions.
   void frameRequested(int region);
 
  private:
@@ -60,7 +61,7 @@ class ComparePanel : public QWidget {
   QTableWidget* table_;
 };
 
-/// "appeared: 12.5 m²"; nothing is exactly none.
+/// A text such as "appeared: 12.5 m²"; it shows an empty difference as exactly none.
 QString appearedText(const SurfaceDifference& difference, const CompareWriter& write);
 QString wentText(const SurfaceDifference& difference, const CompareWriter& write);
 

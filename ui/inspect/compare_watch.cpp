@@ -15,7 +15,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kMostDistances = 40'000;  // triangles: overlays are sent to the graphics card with every frame
+constexpr std::size_t kMostDistances = 40'000;  // in triangles: overlays are sent to the graphics card with every frame
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// What differs between the result and another one, found in the background.
+// Computes the difference between the result and another one in the background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,8 +17,8 @@ namespace footfall::ui {
 
 enum class CompareWith { Nothing, LastEdit, SavedResult };
 
-/// Never waits. Everything is found anew when a result or the choice changes;
-/// what was overtaken is cancelled. Nothing is computed while it compares with nothing.
+/// Never waits. The difference is computed anew when a result or the choice changes; overtaken work is cancelled.
+/// Nothing is computed while there is no choice.
 class CompareWatch : public QObject {
   Q_OBJECT
 
@@ -27,33 +27,33 @@ class CompareWatch : public QObject {
 
   explicit CompareWatch(QObject* parent = nullptr);
 
-  /// Another level: no result of the one before counts.
+  /// Discards the earlier results, because another level was opened.
   void forget();
-  /// A run has finished. `edit` is the number of the edit that it belongs to: the results of one edit, such as those
-  /// while something is dragged, are compared with the last one of the edit before.
+  /// Called when a run has finished. `edit` is the number of the edit that it belongs to. The results of one edit, such
+  /// as those during a drag, are compared with the last result of the edit before.
   void takeResult(const MeshPtr& mesh, int edit);
-  /// The result is being computed anew: work on the old one is dropped.
+  /// Drops work on the old result, because a new one is being computed.
   void stop();
-  /// It stays after all: what was dropped is done again.
+  /// Repeats the dropped work, because the old result stays.
   void resume();
   void compareWithNothing();
   void compareWithLastEdit();
-  /// An OBJ file; `up` is the axis that it has where it does not say.
+  /// Compares with an OBJ file; `up` is its up axis where the file does not state it.
   void compareWithSaved(const QString& path, UpAxis up);
-  /// Whether distances() are found as well, in the background.
+  /// Sets whether distances() are computed as well, in the background.
   void setDistancesWanted(bool wanted);
 
   [[nodiscard]] CompareWith with() const { return with_; }
   [[nodiscard]] const QString& path() const { return path_; }
-  /// There is something to compare with: an edit, or the file.
+  /// Returns whether there is a result to compare with: that of an edit, or the file.
   [[nodiscard]] bool hasOther() const { return with_ == CompareWith::SavedResult || before_ != nullptr; }
   [[nodiscard]] bool busy() const { return work_.busy(); }
-  /// First mesh: the other one, so that its parts went; second: the result, whose parts appeared. Null while there is
-  /// none; of an older result while busy().
+  /// The difference. The first mesh is the other result, whose parts disappeared; the second is this result, whose
+  /// parts appeared. Null while there is none; that of an older result while busy().
   [[nodiscard]] const std::shared_ptr<const SurfaceDifference>& difference() const { return difference_; }
 
   [[nodiscard]] bool areDistancesWanted() const { return wantsDistances_; }
-  /// From the result to the other one; null while there are none or they are not wanted.
+  /// The distances from this result to the other one; null while there are none or they are not wanted.
   [[nodiscard]] const std::shared_ptr<const DistanceBands>& distances() const { return distances_; }
 
  signals:
@@ -72,15 +72,15 @@ class CompareWatch : public QObject {
 
   CompareWith with_ = CompareWith::Nothing;
   MeshPtr before_, result_;
-  int edit_ = 0;            ///< the edit that result_ belongs to
+  int edit_ = 0;            ///< edit that result_ belongs to
   bool isDropped_ = false;  ///< stop() has cancelled work
   QString path_;
   UpAxis up_ = UpAxis::Y;
-  MeshPtr saved_;  ///< what path_ held; null until it was read
+  MeshPtr saved_;  ///< content of path_; null until it was read
   std::shared_ptr<const SurfaceDifference> difference_;
   bool wantsDistances_ = false;
   std::shared_ptr<const DistanceBands> distances_;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kMostLayers = 6;  // that are named one by one
+constexpr std::size_t kMostLayers = 6;  // number of layers that are named one by one
 
 QString layersText(const std::vector<std::uint32_t>& layers) {
   QStringList texts;
@@ -42,7 +42,7 @@ void ComponentsModel::setSmallerThan(std::optional<double> area) {
   endResetModel();
 }
 
-// They are sorted by area.
+// Components are sorted by area.
 void ComponentsModel::findFirst() {
   first_ = 0;
   shownArea_ = 0;

@@ -12,7 +12,8 @@
 
 namespace footfall::ui {
 
-/// Largest first; rows are made when they are looked at, so that any number of components is fine.
+/// Sorted by area, the largest first. Rows are made when they are displayed, so that the number of components is
+/// unlimited.
 class ComponentsModel : public QAbstractTableModel {
   Q_OBJECT
 
@@ -21,19 +22,19 @@ class ComponentsModel : public QAbstractTableModel {
 
   using QAbstractTableModel::QAbstractTableModel;
 
-  /// Null: none.
+  /// Null: no components.
   void setInspector(std::shared_ptr<const Inspector> inspector);
   void setUnits(const LevelUnits& units);
-  /// Leaves out all of this area and more; empty: none.
+  /// Leaves out all components of this area or more; empty: none.
   void setSmallerThan(std::optional<double> area);
 
   [[nodiscard]] const std::shared_ptr<const Inspector>& inspector() const { return inspector_; }
-  /// The component of a row: its place in Components::list.
+  /// The component of a row, as an index into Components::list.
   [[nodiscard]] std::uint32_t componentOf(int row) const { return static_cast<std::uint32_t>(row) + first_; }
-  /// -1 where it is left out.
+  /// The row of a component; -1 where it is left out.
   [[nodiscard]] int rowOf(std::uint32_t component) const;
   [[nodiscard]] double shownArea() const { return shownArea_; }
-  /// The title and all rows that are shown, with tabs and line ends.
+  /// The titles and all shown rows, with tabs and line ends.
   [[nodiscard]] QString toText() const;
 
   [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
@@ -48,7 +49,7 @@ class ComponentsModel : public QAbstractTableModel {
   std::shared_ptr<const Inspector> inspector_;
   std::optional<double> smallerThan_;
   LevelUnits units_;
-  std::uint32_t first_ = 0;  ///< that is shown; those after it are, too
+  std::uint32_t first_ = 0;  ///< the first component that is shown; all later ones are shown too
   double shownArea_ = 0;
 };
 

@@ -114,7 +114,7 @@ void ComponentsPanel::filter() {
     smallerThan_->style()->unpolish(smallerThan_);
     smallerThan_->style()->polish(smallerThan_);
   }
-  if (!valid) return;  // the last valid one stays in force
+  if (!valid) return;  // the last valid number applies
   model_.setSmallerThan(area ? std::optional(units_.stored(*area, Unit::Area)) : std::nullopt);
   describe();
 }

@@ -11,14 +11,14 @@
 
 namespace footfall::ui {
 
-/// Shows the components of an Inspector and emits a signal for the one that is chosen.
+/// Shows the components of an Inspector and emits a signal for the chosen one.
 class ComponentsPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit ComponentsPanel(QWidget* parent = nullptr);
 
-  /// Null: none. The chosen rank stays chosen where there still is one.
+  /// Null: no components. The component with the chosen rank stays chosen if there is one.
   void setInspector(std::shared_ptr<const Inspector> inspector);
   void choose(std::uint32_t component);
   void setUnits(const LevelUnits& units);
@@ -33,9 +33,9 @@ class ComponentsPanel : public QWidget {
   [[nodiscard]] QString totalText() const { return total_->text(); }
 
  signals:
-  /// A row is the current one now.
+  /// Emitted when a row becomes the current one.
   void chosen(std::uint32_t component);
-  /// Somebody clicked it or pressed Return on it.
+  /// Emitted when a component is clicked, or Return is pressed on it.
   void frameRequested(std::uint32_t component);
 
  private:

@@ -14,7 +14,7 @@ namespace {
 const QString kWhyOverlay = QStringLiteral("why");
 const QString kComponentOverlay = QStringLiteral("component");
 
-/// Whether a point that was picked on a triangle, in floats, is about where that triangle is.
+/// Returns whether a point that was picked on a triangle, in floats, is still near that triangle.
 bool isNear(const Vec3& point, const std::array<Vec3, 3>& corners) {
   const auto [x0, x1] = std::minmax({corners[0].x, corners[1].x, corners[2].x});
   const auto [y0, y1] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
@@ -42,7 +42,7 @@ InspectionFeature::InspectionFeature(const FeatureHost& host, LevelView& view, c
   setObjectName(QStringLiteral("inspection"));
   createWhy(host, controller);
   createComponents(host);
-  // While the window goes, its docks still hide, and what is asked about is gone by then.
+  // While the window is destroyed, its docks are hidden when the objects that they inspect no longer exist.
   connect(&host.commands, &QObject::destroyed, this, [this] {
     for (QDockWidget* dock : {whyDock_, componentsDock_}) dock->toggleViewAction()->disconnect(this);
   });
@@ -51,7 +51,7 @@ InspectionFeature::InspectionFeature(const FeatureHost& host, LevelView& view, c
   connect(watch_, &InspectionWatch::failed, &host.messages, &MessageBar::showError);
   connect(&file, &LevelFile::opened, this, [this, &file] {
     const QString source = QString::fromStdString(file.environment()->source);
-    if (source == source_) return;  // the same file again: the place is still meant
+    if (source == source_) return;  // the same file again: the place remains
     source_ = source;
     watch_->forget();
     why_->clear();
@@ -112,7 +112,7 @@ void InspectionFeature::createComponents(const FeatureHost& host) {
   });
   watch_->setComponentsWanted(!componentsDock_->isHidden());
   connect(watch_, &InspectionWatch::inspectorChanged, this, [this] {
-    forgetComponent();  // it may be another one now
+    forgetComponent();  // it may be another component now
     components_->setInspector(componentsDock_->isHidden() ? nullptr : watch_->inspector());
   });
   connect(components_, &ComponentsPanel::chosen, this, [this](std::uint32_t component) {
@@ -135,7 +135,7 @@ void InspectionFeature::ask(const QPoint& place) {
   }
   AskedPlace asked;
   asked.point = picked->point;
-  // The view may still show the level as it was before an edit.
+  // The view may still show the level before an edit.
   if (picked->triangle < level->triangles.size()) {
     asked.corners = cornersOf(*level, picked->triangle);
     if (isNear(asked.point, asked.corners)) asked.triangle = picked->triangle;
@@ -195,7 +195,8 @@ void InspectionFeature::showFilter() {
   if (!told || !told->step) return;
   const PipelineStep& step = watch_->inspector()->pipeline().steps[*told->step];
   const std::vector<FilterEntry>& filters = document_.filters();
-  // The list may have been edited since: the same place in it when it is still that filter, else the first like it.
+  // The list may have been edited since: the filter at the same place is used when it is still the same kind, else the
+  // first of that kind.
   const auto sameFilter = [&](const FilterEntry& entry) { return entry.step.filter == step.filter; };
   auto entry = filters.begin() + static_cast<std::ptrdiff_t>(std::min(*told->step, filters.size()));
   if (entry == filters.end() || !sameFilter(*entry)) entry = std::find_if(filters.begin(), filters.end(), sameFilter);

@@ -1,4 +1,4 @@
-// The questions "why?" and "which components?": tool, panels, and what the view shows of the answers.
+// The tools "Why?" and "Components": their panels, and their overlays in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -31,7 +31,7 @@ class InspectionFeature : public QObject {
   [[nodiscard]] InspectionWatch& watch() { return *watch_; }
   [[nodiscard]] WhyPanel& whyPanel() { return *why_; }
   [[nodiscard]] ComponentsPanel& componentsPanel() { return *components_; }
-  /// Asks about what is seen at a place of the view.
+  /// Explains the place that is visible at a point of the view.
   void ask(const QPoint& place);
 
  private:
@@ -58,7 +58,7 @@ class InspectionFeature : public QObject {
   QDockWidget* whyDock_ = nullptr;
   ComponentsPanel* components_ = nullptr;
   QDockWidget* componentsDock_ = nullptr;
-  QString source_;  ///< of the environment that the place belongs to
+  QString source_;  ///< source of the environment that the place belongs to
 };
 
 }  // namespace footfall::ui

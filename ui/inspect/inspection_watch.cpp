@@ -17,9 +17,9 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kMostFilled = 4000;  // triangles of a component that are drawn anew in every frame
+constexpr std::size_t kMostFilled = 4000;  // in triangles: larger components are not drawn anew in every frame
 
-/// The triangle that is meant, or the one nearest to the point where it is not there any more.
+/// The chosen triangle, or the one nearest to the point where the triangle no longer exists.
 std::optional<PickedPlace> resolve(const Inspector& inspector, const AskedPlace& asked) {
   const Environment& environment = inspector.environment();
   if (asked.triangle && *asked.triangle < environment.triangles.size()) {
@@ -60,7 +60,7 @@ void InspectionWatch::refresh() {
   work_.stop();
   const std::shared_ptr<const FinishedRun> run = controller_.finishedRun();
   if (!run || (!asked_ && !componentsWanted_)) {
-    // States are large: they stay no longer than somebody asks.
+    // States are large and are kept only while a place or the components are shown.
     inspected_.reset();
     if (std::exchange(inspector_, nullptr)) emit inspectorChanged();
     return;

@@ -1,4 +1,4 @@
-// Answers about the last finished run, made in the background: why a place is walkable or not, and the components.
+// Explains places and finds components of the last finished run, in the background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,40 +17,40 @@
 
 namespace footfall::ui {
 
-/// A place that outlives edits of the environment: the triangle is known by its corners, and where it has gone, the
-/// place is the nearest one to the point.
+/// A place that survives edits of the environment. Its triangle is identified by its corners; where the triangle no
+/// longer exists, the place is the nearest one to the point.
 struct AskedPlace {
   Vec3 point;
   std::optional<std::uint32_t> triangle;  ///< index into the environment's triangles; empty: the nearest one
-  std::array<Vec3, 3> corners{};          ///< of that triangle
+  std::array<Vec3, 3> corners{};          ///< corners of that triangle
 };
 
-/// Never waits. Works only while somebody wants to know; after each run
-/// everything that is wanted is made anew, and what was overtaken is cancelled.
+/// Never waits. Works only while something is requested. Everything that is requested is computed anew after each run,
+/// and overtaken work is cancelled.
 class InspectionWatch : public QObject {
   Q_OBJECT
 
  public:
   explicit InspectionWatch(RunController& controller, QObject* parent = nullptr);
 
-  /// explained() or failed() follows, and again after each run.
+  /// Emits explained() or failed(), and again after each run.
   void ask(const AskedPlace& place);
-  /// No place is asked for any more.
+  /// Ends the explanation of a place.
   void forget();
   [[nodiscard]] const std::optional<AskedPlace>& asked() const { return asked_; }
   void setComponentsWanted(bool wanted);
-  /// componentShown() follows with what to draw of one of components(), now and after each run while it is there.
+  /// Emits componentShown() with an overlay for one of components(), now and after each run while the component exists.
   void showComponent(std::uint32_t component);
 
-  /// The inspector of the last run that was looked at; null when there is none.
+  /// The inspector of the last run that was inspected; null when there is none.
   [[nodiscard]] std::shared_ptr<const Inspector> inspector() const { return inspector_; }
-  /// The answer for asked(), by inspector(); empty until it is there.
+  /// The explanation of asked(), by inspector(); empty until it is ready.
   [[nodiscard]] const std::optional<PlaceExplanation>& explanation() const { return explanation_; }
-  /// Something is being made.
+  /// Returns whether work is under way.
   [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
-  /// Another run's, or none.
+  /// Emitted when there is the inspector of another run, or none.
   void inspectorChanged();
   void explained();
   void failed(const QString& message);
@@ -69,13 +69,13 @@ class InspectionWatch : public QObject {
   std::optional<AskedPlace> asked_;
   bool componentsWanted_ = false;
   std::shared_ptr<const Inspector> inspector_;
-  std::shared_ptr<const FinishedRun> inspected_;  ///< what inspector_ is about
+  std::shared_ptr<const FinishedRun> inspected_;  ///< the run of inspector_
   std::optional<PlaceExplanation> explanation_;
-  int shown_ = 0;    ///< counts showComponent(): what is older is not wanted any more
-  LatestWork work_;  // last: its thread ends before the rest goes
+  int shown_ = 0;    ///< counts calls of showComponent(); results of older calls are dropped
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
-/// The surface of a component and a line around it; of large ones the line alone.
+/// The surface of a component and a line around it; only the line of a large component.
 ViewOverlay componentOverlay(const Inspector& inspector, std::uint32_t component);
 
 }  // namespace footfall::ui

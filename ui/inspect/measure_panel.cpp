@@ -69,7 +69,7 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
 void MeasurePanel::showPlaces() {
   const auto& places = tool_.places();
   const LevelUnits& units = tool_.units();
-  // The unit is said below: five columns have no room for it in a narrow panel.
+  // The unit is shown below, because five columns have no room for it in a narrow panel.
   table_->setHorizontalHeaderLabels({tr("Length"), tr("In plan"), tr("Height"), tr("Slope °"), tr("Slope %")});
   frame_->setText(units.frameText());
   const int rows = places.size() > 1 ? static_cast<int>(places.size()) - 1 : 0;

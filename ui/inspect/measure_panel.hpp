@@ -1,4 +1,4 @@
-// The panel of "Measure": every piece as a row, to read and to copy.
+// The panel of "Measure": a row for each piece, to read and to copy.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,7 +20,7 @@ class MeasurePanel : public QWidget {
 
  public:
   explicit MeasurePanel(MeasureTool& tool, QWidget* parent = nullptr);
-  /// Asks how long the last piece is in metres.
+  /// Opens a dialog for the length of the last piece in metres.
   void askForLength();
 
  signals:
@@ -35,7 +35,7 @@ class MeasurePanel : public QWidget {
   QPushButton *copy_, *back_, *scale_, *clear_;
 };
 
-/// "Measure": the tool and its panel; places go with the environment that they belong to.
+/// The tool "Measure" with its panel; its places are removed with their environment.
 class MeasureFeature : public QObject {
   Q_OBJECT
 

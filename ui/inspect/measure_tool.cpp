@@ -42,7 +42,7 @@ Measure measureBetween(const Vec3& from, const Vec3& to) {
   measure.plan = std::hypot(to.x - from.x, to.y - from.y);
   measure.height = to.z - from.z;
   measure.distance = std::hypot(measure.plan, measure.height);
-  // Places that are clicked are rounded: so little is nothing.
+  // Clicked places are rounded, so lengths below this are zero.
   constexpr double kRounding = 1e-6;
   if (std::abs(measure.height) < kRounding * measure.distance) measure.height = 0;
   if (measure.plan < kRounding * measure.distance) measure.plan = 0;
@@ -118,12 +118,12 @@ QString MeasureTool::text() const {
   return text + units_.frameText() + QLatin1Char('\n');
 }
 
-/// The vertex that is nearest to the line of sight on the screen, where it is near enough and not hidden.
+/// The vertex nearest to the line of sight on the screen, where it is near enough and not hidden.
 std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
   const std::shared_ptr<const Environment> level = level_();
   const std::shared_ptr<const EnvironmentGeometry> geometry = view_.environmentGeometry();
   if (!level || !geometry) return std::nullopt;
-  // How far apart in space two lines of sight are that are one pixel apart: more with the distance, in perspective.
+  // The distance in space of two lines of sight that are one pixel apart; it grows with the distance in perspective.
   const Ray ray = view_.rayAt(place), next = view_.rayAt(place + QPoint(1, 0));
   const double length = std::sqrt(dot(ray.direction, ray.direction)),
                nextLength = std::sqrt(dot(next.direction, next.direction));
@@ -147,12 +147,12 @@ std::optional<Vec3> MeasureTool::vertexNear(const QPoint& place) const {
   if (!nearest) return std::nullopt;
   const auto at = view_.project(*nearest);
   if (!at || std::hypot(at->x() - place.x(), at->y() - place.y()) > kSnapPixels) return std::nullopt;
-  // As the view has it.
+  // The coordinates are those of the view.
   const Vec3 fromCentre = *nearest - geometry->centre;
   const std::array<float, 3> shown{static_cast<float>(fromCentre.x), static_cast<float>(fromCentre.y),
                                    static_cast<float>(fromCentre.z)};
-  // In sight when a surface that has it as a corner is seen there, or right beside it: a corner of an outline is
-  // between pixels.
+  // A vertex is visible when a surface with this corner is visible there, or right beside it, because a corner of an
+  // outline lies between pixels.
   const QPoint pixel = at->toPoint();
   for (const QPoint& probe :
        {pixel, place, pixel + QPoint(2, 2), pixel + QPoint(-2, 2), pixel + QPoint(2, -2), pixel + QPoint(-2, -2)}) {
@@ -178,7 +178,7 @@ void MeasureTool::mouseMoved(const ViewMouse& mouse) {
 void MeasureTool::clicked(const ViewMouse& mouse) {
   const auto target = targetAt(mouse.place);
   if (!target) return;
-  // A double click's second half.
+  // This is the second half of a double click.
   if (!places_.empty() && !isEnded_ && places_.back() == target->place) {
     isEnded_ = places_.size() > 1;
     draw();

@@ -1,4 +1,4 @@
-// The tool "Measure": distance, height and slope between places that are clicked.
+// The tool "Measure": distance, height and slope between clicked places.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,33 +14,34 @@
 
 namespace footfall::ui {
 
-/// What one straight piece measures, in the environment's units.
+/// The measures of one straight piece, in the environment's units.
 struct Measure {
   double distance = 0;  ///< in space
   double plan = 0;      ///< in the plan
-  double height = 0;    ///< of the end over the start; negative: it lies lower
-  double degrees = 0;   ///< up is positive; 90 where it is straight up
-  double percent = 0;   ///< infinite where it is straight up or down
+  double height = 0;    ///< height of the end over the start; negative: the end is lower
+  double degrees = 0;   ///< positive upwards; 90 where it is vertical
+  double percent = 0;   ///< infinite where it is vertical
 };
 
 Measure measureBetween(const Vec3& from, const Vec3& to);
 
-/// "3.2 m (3 m in the plan), height +1 m, 18.4° (33.3 %)".
+/// The text of a measure: "3.2 m (3 m in the plan), height +1 m, 18.4° (33.3 %)".
 QString measureSummary(const Measure& measure, const LevelUnits& units);
 
-/// Clicks add places, on any surface; near a vertex of the level that is in sight, the vertex is meant. Enter or a
-/// double click ends a line, so that the next click begins another; Backspace takes the last place back; Ctrl+C copies.
+/// Clicks add places on any surface; a click near a visible vertex of the level adds the vertex. Enter or a double
+/// click ends a line, so that the next click begins another; Backspace removes the last place; Ctrl+C copies.
 class MeasureTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
-  /// `level` is asked for the vertices to snap to; it may give null.
+  /// `level` returns the environment whose vertices are snapped to; it may return null.
   MeasureTool(LevelView& view, std::function<std::shared_ptr<const Environment>()> level);
 
   [[nodiscard]] const std::vector<Vec3>& places() const { return places_; }
   void setPlaces(std::vector<Vec3> places);
   void removeLast();
-  /// All places and pieces in the shown unit, one a line, separated by tabs; the sum last where there is more than one.
+  /// All places and pieces in the shown unit, one a line, separated by tabs. The sum is last where there are several
+  /// pieces.
   [[nodiscard]] QString text() const;
   void setShown(bool shown);
   void setUnits(const LevelUnits& units);

@@ -26,7 +26,7 @@ PlaceFields::PlaceFields(const QString& name, const QString& id, QWidget* parent
     giveKeysBackAfterTyping(*field);
     selectNumberByDoubleClick(*field);
     field->setMinimumWidth(64);
-    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // or three of them make the panel wide
+    field->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // three fields would make the panel wide otherwise
     connect(field, &QLineEdit::textEdited, this, &PlaceFields::read);
     layout->addWidget(field, 1);
     fields_[i] = field;
@@ -46,7 +46,7 @@ void PlaceFields::showUnits() {
 void PlaceFields::setUnits(const LevelUnits& units) {
   units_ = units;
   showUnits();
-  // What is being typed stays.
+  // The text that is being typed stays.
   if (place_) setPlace(place_);
 }
 
@@ -54,7 +54,7 @@ namespace {
 
 double axisOf(const Vec3& place, std::size_t axis) { return axis == 0 ? place.x : axis == 1 ? place.y : place.z; }
 
-// There and back between units may cost the last bit.
+// A conversion between units and back may change the last bit.
 bool isSame(double a, double b) { return std::abs(a - b) <= 1e-14 * std::abs(a); }
 
 }  // namespace
@@ -65,12 +65,12 @@ void PlaceFields::setPlace(const std::optional<Vec3>& place) {
   const Vec3 shown = place ? units_.shownPlace(*place) : Vec3{};
   for (std::size_t i = 0; i < 3; ++i) {
     if (!place) {
-      // Half a place that is being typed stays.
+      // A place that is only partly typed stays.
       if (changed && !fields_[i]->hasFocus()) fields_[i]->clear();
       continue;
     }
     const double value = axisOf(shown, i);
-    // What has been typed stays as it was typed, while it means the same.
+    // Typed text stays as it is while it stands for the same number.
     if (const auto typed = parseNumber(fields_[i]->text()); typed && isSame(*typed, value)) continue;
     const QString text = measureText(axisOf(shown, i));
     if (fields_[i]->text() == text) continue;

@@ -12,8 +12,9 @@
 
 namespace footfall::ui {
 
-/// Empty while there is no place; a place counts once all three fields hold numbers. Fields show a few digits; what is
-/// not typed over keeps all of them. They are the file's axes, in the shown unit; the place is the level's.
+/// A place is set once all three fields hold numbers; the fields are empty while there is no place. Fields show a few
+/// digits, and an unedited coordinate keeps all of its digits. Fields are along the file's axes in the shown unit; the
+/// place is in the level's coordinates.
 class PlaceFields : public QWidget {
   Q_OBJECT
 

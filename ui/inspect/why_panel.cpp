@@ -14,7 +14,7 @@ namespace {
 
 constexpr QSize kReasonSwatch(22, 22);
 
-/// A text that wraps, and that mouse and keyboard can select.
+/// A wrapped text that mouse and keyboard can select.
 QLabel* makeText(QWidget* parent, const QString& name) {
   auto* label = new QLabel(parent);
   label->setObjectName(name);

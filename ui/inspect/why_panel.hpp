@@ -1,4 +1,4 @@
-// The panel "Why?": a place explained, and the ways from there.
+// The panel "Why?": the explanation of a place, with links to the filters and triangles involved.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// Shows an answer and emits signals for what the user asks; computes nothing.
+/// Shows an explanation and emits signals for the user's actions; computes nothing.
 class WhyPanel : public QWidget {
   Q_OBJECT
 
@@ -21,9 +21,9 @@ class WhyPanel : public QWidget {
   explicit WhyPanel(QWidget* parent = nullptr);
 
   void show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told, const LevelUnits& units);
-  /// Says how to ask.
+  /// Shows how to use the tool.
   void clear();
-  /// A new answer is on its way; what is shown may be out of date.
+  /// Shows that a new explanation is being computed; the present one may be out of date.
   void setWaiting(bool waiting);
 
   [[nodiscard]] QString headline() const { return headline_->text(); }

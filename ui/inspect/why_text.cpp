@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-/// A length that differs from a limit, with as many digits as it takes to see that.
+/// A length that differs from a limit, with enough digits to show the difference.
 QString lengthBeside(double length, double limit, const LevelUnits& units) {
   const double factor = units.factor();
   return QString::fromStdString(textBeside(length * factor, limit * factor))

@@ -1,4 +1,4 @@
-// Why a place is walkable or not, in the user's language.
+// Texts that explain why a place is walkable or not, in the user's language.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,17 +17,17 @@ class WhyText {
   Q_DECLARE_TR_FUNCTIONS(WhyText)
 
  public:
-  /// "Not walkable: too low"
+  /// A headline such as "Not walkable: too low".
   static QString headline(const PlaceExplanation& told);
-  /// One or two sentences: what decided, and who is responsible.
+  /// One or two sentences with the decision and the filter or obstacle behind it.
   static QString reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
   static QString slope(const PlaceExplanation& told);
   static QString headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
-  /// How far the nearest wall and ledge are.
+  /// The distances of the nearest wall and ledge.
   static QString borders(const PlaceExplanation& told, const LevelUnits& units);
-  /// "12 (door, wood)": the number, and the names of mesh and material where the file has some.
+  /// The triangle's number, and the names of its mesh and material where the file has some: "12 (door, wood)".
   static QString triangle(const Inspector& inspector, std::uint32_t triangle);
-  /// The colour and pattern that such places have in the view.
+  /// The colour and pattern of such places in the view.
   static Paint paint(const Inspector& inspector, const PlaceExplanation& told);
 };
 

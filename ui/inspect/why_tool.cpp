@@ -49,7 +49,7 @@ ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told,
     overlay.lines.push_back(std::move(outline));
   };
   highlight({told.place.triangle}, selectedCellColour(), 70);
-  // What is far above a walkable place is told of, but stands in nobody's way.
+  // An obstacle far above a walkable place is described, but does not block anybody.
   const bool inTheWay = told.verdict == PlaceVerdict::TooLow || !told.walls.empty();
   if (inTheWay) highlight(obstaclesOf(told), obstacleEdgeColour(), 110);
   const Vec3& place = told.place.point;

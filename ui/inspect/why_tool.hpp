@@ -1,4 +1,4 @@
-// The tool "Why?": a click in the view asks about a place; what the answer speaks of is highlighted.
+// The tool "Why?": a click in the view explains a place, and the triangles of the explanation are highlighted.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,8 +22,8 @@ class WhyTool : public ViewTool {
   Q_DECLARE_TR_FUNCTIONS(WhyTool)
 
  public:
-  /// `asked` is called for clicks, and for the key Return at the place of the mouse; `over` when another tool has the
-  /// mouse.
+  /// `asked` is called for clicks, and for the key Return at the place of the mouse; `over` is called when another tool
+  /// becomes active.
   WhyTool(std::function<void(const QPoint&)> asked, std::function<void()> over)
       : asked_(std::move(asked)), over_(std::move(over)) {}
 
@@ -43,11 +43,11 @@ class WhyTool : public ViewTool {
 /// The corners of a triangle of an environment.
 std::array<Vec3, 3> cornersOf(const Environment& environment, std::uint32_t triangle);
 
-/// Triangles that stand in the way of somebody at the place: the obstacle that the filter met, else what is lowest
-/// above, and walls.
+/// Triangles that block an agent at the place: the obstacle that the filter found, else the lowest one above, and
+/// walls.
 std::vector<std::uint32_t> obstaclesOf(const PlaceExplanation& told);
 
-/// The place with its triangle, what stands in the way, and the free height as a line.
+/// The place with its triangle, the blocking triangles, and the free height as a line.
 ViewOverlay whyOverlay(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
 
 }  // namespace footfall::ui

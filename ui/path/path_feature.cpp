@@ -16,7 +16,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr double kShownAroundLinks = 1.5;  // metres around what keeps two parts apart
+constexpr double kShownAroundLinks = 1.5;  // metres shown around the barrier between two parts
 
 Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
 
@@ -119,7 +119,7 @@ void PathFeature::takeResult() {
   follow();
 }
 
-// What "Frame selection" shows: the path, or how far it comes.
+// "Frame selection" shows the path, or the part up to which it gets.
 void PathFeature::boundSelection() {
   std::optional<SceneBox> bounds;
   const bool shown = view_.tool() == &tool_ || !dock_->isHidden();

@@ -1,4 +1,4 @@
-// "Try it": tool, panel, the result that paths walk on, and what sessions keep of them.
+// "Try it": tool, panel, the result that paths use, and the session section.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -40,7 +40,7 @@ class PathFeature : public QObject {
   PathPanel* panel_;
   SeparationView* separation_;
   QDockWidget* dock_;
-  std::string environment_;   ///< the file that the places lie in
+  std::string environment_;   ///< file that the places lie in
   bool fromSession_ = false;  ///< the places came with the file that is being opened
 };
 

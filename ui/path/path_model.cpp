@@ -12,7 +12,7 @@
 
 namespace footfall::ui {
 
-/// What was prepared for a ground, and the last answer about two of its parts: most places are on the same ones.
+/// Data prepared for a ground, and the last answer about two of its parts, because most places are on the same parts.
 struct PathModel::Finder {
   void prepare(const Ground& wanted, const RunContext& context) {
     if (finder && ground == wanted) return;
@@ -123,7 +123,7 @@ void PathModel::finishJob(const Ground& ground, const std::optional<PathResult>&
   context_.reset();
   const bool separated = std::exchange(isSeparating_, false);
   const bool isCurrent = isWanted() && ground == ground_;
-  // What keeps the parts apart is of no use once the places have moved on.
+  // The barrier between the parts is not used once the places have moved.
   const bool isUsed = isCurrent && result && !(separated && isStale_);
   if (isUsed) {
     result_ = result;
@@ -131,7 +131,7 @@ void PathModel::finishJob(const Ground& ground, const std::optional<PathResult>&
   }
   if (!error.isEmpty()) emit failed(error);
   if (context_) return;
-  // Also what was cancelled and is wanted again by now.
+  // A cancelled request counts too when it is needed again.
   const bool isMissing = isWanted() && !result && error.isEmpty();
   if (isStale_ || isMissing) {
     if (isWanted()) startJob();

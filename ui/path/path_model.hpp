@@ -1,4 +1,4 @@
-// "Try it": two places and the shortest path between them on the last result, found in the background.
+// "Try it": two places and the shortest path between them on the last result, computed in the background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace footfall::ui {
 
-/// Lives on the window's thread and never waits there. While one path is looked for, further changes wait for it, and
-/// only the last of them counts: what is shown follows a drag as fast as paths are found. Nothing is prepared or found
-/// while it is not active.
+/// Lives on the window's thread and never waits there. While one path is computed, further changes wait for it, and
+/// only the last of them is used; the shown path thus follows a drag as fast as paths are found. Nothing is computed
+/// while the model is not active.
 class PathModel : public QObject {
   Q_OBJECT
 
@@ -23,11 +23,11 @@ class PathModel : public QObject {
   explicit PathModel(QObject* parent = nullptr);
   ~PathModel() override;
 
-  /// What a path needs of a finished run.
+  /// The data of a finished run that a path needs.
   struct Ground {
-    std::shared_ptr<const NavigationMesh> mesh;      ///< to walk on; null: none
-    double reach = 0;                                ///< how far below a place it may lie (placeReach())
-    std::shared_ptr<const Environment> environment;  ///< what stands between its parts
+    std::shared_ptr<const NavigationMesh> mesh;  ///< mesh to walk on; null: none
+    double reach = 0;                            ///< distance below a place at which its ground may lie (placeReach())
+    std::shared_ptr<const Environment> environment;  ///< environment between its parts
     double agentHeight = 0, agentStep = 0, agentGap = 0;
     bool operator==(const Ground&) const = default;
   };
@@ -35,15 +35,15 @@ class PathModel : public QObject {
   void setActive(bool active);
   void setStart(const std::optional<Vec3>& place) { setPlaces(place, target_); }
   void setTarget(const std::optional<Vec3>& place) { setPlaces(start_, place); }
-  /// Values, as the model's own places may be given.
+  /// The places are passed by value, because they may be the model's own.
   void setPlaces(std::optional<Vec3> start, std::optional<Vec3> target);
 
   [[nodiscard]] const std::optional<Vec3>& start() const { return start_; }
   [[nodiscard]] const std::optional<Vec3>& target() const { return target_; }
-  /// The result for the last two places; nothing without both of them, or without a mesh. What keeps two
-  /// parts apart is added a little later, with one more resultChanged().
+  /// The result for the last two places; empty without both places or without a mesh. The barrier between two parts is
+  /// added a little later, with another resultChanged().
   [[nodiscard]] const std::optional<PathResult>& result() const { return result_; }
-  /// A path, or what keeps two parts apart, is being looked for.
+  /// Returns whether a path, or the barrier between two parts, is being computed.
   [[nodiscard]] bool busy() const { return context_ != nullptr; }
 
  signals:
@@ -55,19 +55,19 @@ class PathModel : public QObject {
   struct Finder;
   void refresh(bool groundChanged);
   [[nodiscard]] bool isWanted() const { return active_ && ground_.mesh && start_ && target_; }
-  /// Looks for the path, or for what keeps the parts apart where `failed` failed.
+  /// Starts computing the path, or, with `failed`, the barrier between the parts.
   void startJob(std::optional<PathResult> failed = {});
   void finishJob(const Ground& ground, const std::optional<PathResult>& result, const QString& error);
 
   Ground ground_;
   bool active_ = false;
-  bool isSeparating_ = false;  ///< the job under way is about what keeps parts apart
+  bool isSeparating_ = false;  ///< the running job computes a barrier
   std::optional<Vec3> start_, target_;
   std::optional<PathResult> result_;
   bool isStale_ = false;
   std::shared_ptr<RunContext> context_;
-  std::shared_ptr<Finder> finder_;  ///< the background thread's
-  BackgroundQueue queue_;           // last: its thread ends before the rest goes
+  std::shared_ptr<Finder> finder_;  ///< used by the background thread only
+  BackgroundQueue queue_;           // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

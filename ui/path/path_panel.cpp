@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kUsualSpeed = 1.4;  // metres a second: an adult in no hurry
+constexpr double kUsualSpeed = 1.4;  // metres a second: an adult who is not in a hurry
 
 QPushButton* addButton(QLayout* row, const QString& id, const QString& text, const QString& help) {
   auto* button = new QPushButton(text);

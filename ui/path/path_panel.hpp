@@ -1,4 +1,4 @@
-// The panel of "Try it": both places as numbers, and what the path has to tell.
+// The panel of "Try it": both places as numbers, and the length, time and slopes of the path.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,11 +19,11 @@ class PathPanel : public QWidget {
   explicit PathPanel(PathModel& model, QWidget* parent = nullptr);
 
   void setUnits(const LevelUnits& units);
-  /// Why there is nothing to walk on; empty when there is something.
+  /// Sets the reason why there is no area to walk on; empty when there is one.
   void setNotice(const QString& notice);
   [[nodiscard]] double speed() const { return speed_->value(); }
   void setSpeed(double metresPerSecond);
-  /// Puts a widget below the reason of a failure; takes it over.
+  /// Puts a widget below the reason of a failure, and takes ownership of it.
   void addBelowFailure(QWidget* widget);
   [[nodiscard]] QString text() const { return text_->text(); }
 

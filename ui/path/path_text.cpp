@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-/// For the translations.
+/// The struct is the context of the translations.
 struct PathText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::PathText)
 };

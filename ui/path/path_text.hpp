@@ -1,4 +1,4 @@
-// What the path and measure tools say in words and numbers.
+// The texts of the path and measure tools.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace footfall::ui {
 
-/// Why there is no path, and how near one can come; empty when there is one.
+/// The reason why there is no path, and the nearest place that can be reached; empty when there is a path.
 QString failureText(const PathResult& result, const LevelUnits& units);
 /// Length, time and slopes of a path, one a line. `speed` is in metres a second.
 QString pathText(const PathResult& result, const LevelUnits& units, double speed);

@@ -16,7 +16,7 @@ constexpr double kGrabPixels = 10;
 constexpr double kArrowEvery = 56;  // pixels along the path
 constexpr double kArrowPixels = 9;
 
-// Okabe and Ito's: neither is a colour that means something on the way.
+// Colours of Okabe and Ito that have no other meaning on a path.
 QColor startColour() { return toColour(kBlue); }
 QColor targetColour() { return toColour(kOrange); }
 QColor failColour() { return toColour(kVermilion); }
@@ -26,7 +26,7 @@ Vec3 between(const Vec3& a, const Vec3& b, double s) {
   return {std::lerp(a.x, b.x, s), std::lerp(a.y, b.y, s), std::lerp(a.z, b.z, s)};
 }
 
-/// Arrow heads lie in the plan of the path; they are as large on the screen wherever they are.
+/// Arrow heads lie in the plan of the path and have a constant size on the screen.
 void addArrows(const LevelView& view, const std::vector<Vec3>& points, std::vector<std::array<Vec3, 2>>& segments) {
   double left = kArrowEvery / 2;
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
@@ -35,7 +35,7 @@ void addArrows(const LevelView& view, const std::vector<Vec3>& points, std::vect
     const double plan = std::hypot(b.x - a.x, b.y - a.y);
     if (!pa || !pb || plan <= 0) continue;
     const double pixels = std::hypot(pb->x() - pa->x(), pb->y() - pa->y());
-    if (pixels > 1e5) continue;  // right before the eye
+    if (pixels > 1e5) continue;  // right in front of the eye
     for (; left < pixels; left += kArrowEvery) {
       const Vec3 tip = between(a, b, left / pixels);
       const double size = kArrowPixels * plan / pixels;
@@ -48,7 +48,7 @@ void addArrows(const LevelView& view, const std::vector<Vec3>& points, std::vect
   }
 }
 
-/// Short strokes with gaps.
+/// Adds short strokes with gaps.
 void addDashes(const LevelView& view, const Vec3& a, const Vec3& b, std::vector<std::array<Vec3, 2>>& segments) {
   const auto pa = view.project(a), pb = view.project(b);
   const double pixels = pa && pb ? std::hypot(pb->x() - pa->x(), pb->y() - pa->y()) : 100;

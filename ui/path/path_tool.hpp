@@ -1,4 +1,4 @@
-// The tool "Try it": clicks two places, draws the path between them, and lets both ends be dragged.
+// The tool "Try it": two clicks set the ends of a path, which is drawn; both ends can be dragged.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,17 +11,17 @@
 
 namespace footfall::ui {
 
-/// A click sets the start, the next one the target, one more starts anew. An end under the mouse is dragged. Backspace
-/// takes the last end back.
+/// A click sets the start, the next one the target, and a third begins again. An end under the mouse can be dragged.
+/// Backspace removes the last end.
 class PathTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
   PathTool(PathModel& model, LevelView& view, QObject* parent);
 
-  /// Draws ends and path, also while the tool does not have the mouse.
+  /// Sets whether ends and path are drawn while the tool is not active.
   void setShown(bool shown);
-  /// Metres in one unit, for the label.
+  /// Sets the units of the label.
   void setUnits(const LevelUnits& units);
 
   bool mousePressed(const ViewMouse& mouse) override;

@@ -11,23 +11,23 @@
 namespace footfall::ui {
 namespace {
 
-/// For the translations.
+/// The struct is the context of the translations.
 struct MendText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::SeparationMend)
 };
 
-// What is off by a rounding must not be missed by one.
+// A margin for values that are off by a rounding.
 constexpr double kRoundings = 0x1p-40;
 constexpr double kPerUnit = 100;
 
 struct Need {
   FilterType filter = FilterType::Step;
   std::string_view parameter;
-  double value = 0;     ///< environment units
-  bool atMost = false;  ///< the value may not be more than that; else not less
+  double value = 0;     ///< in environment units
+  bool atMost = false;  ///< the value may be at most that; else at least
 };
 
-// Behind a radius, borders are where a body must stop, and not what stands there.
+// After a radius, borders are where a body must stop, and not where the obstacles are.
 std::optional<Need> needOf(const BorderLink& link, double step, const std::vector<FilterEntry>& filters) {
   double gap = 0;
   for (const FilterEntry& entry : filters) {
@@ -38,7 +38,8 @@ std::optional<Need> needOf(const BorderLink& link, double step, const std::vecto
   if (link.isClosed()) return std::nullopt;
   const double climbed = std::max(std::abs(link.rise), link.kind == LinkKind::Obstacle ? link.obstacle : 0.0);
   const bool isLow = link.kind == LinkKind::LowCeiling, isHigh = climbed > step, isWide = link.gap > gap;
-  if (int{isLow} + int{isHigh} + int{isWide} != 1) return std::nullopt;  // one value is not enough, or there is none
+  // none or more than one value would have to change
+  if (int{isLow} + int{isHigh} + int{isWide} != 1) return std::nullopt;
   if (isLow) return Need{FilterType::VerticalClearance, "height", link.headroom, true};
   if (isHigh) return Need{FilterType::Step, "step", climbed, false};
   return Need{FilterType::Step, "gap", link.gap, false};
@@ -68,7 +69,7 @@ std::optional<SeparationMend> mendOf(const Separation& separation, const std::ve
     const double now = entry.step.values[index];
     if (need->atMost ? now <= value : now >= value) continue;
     const QString text = need->atMost ? MendText::tr("Lower %1 to %2") : MendText::tr("Raise %1 to %2");
-    if (mend) return std::nullopt;  // two filters stand in the way
+    if (mend) return std::nullopt;  // two filters block the way
     mend = {entry.id, index, value, text.arg(filterText(parameter->label), units.length(value))};
   }
   return mend;

@@ -1,4 +1,4 @@
-// Which parameter to change so that what keeps two parts apart does so no more.
+// Finds the parameter whose change would connect two separate parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,14 +16,14 @@ namespace footfall::ui {
 struct SeparationMend {
   int filter = 0;  ///< FilterEntry::id
   std::size_t parameter = 0;
-  double value = 0;  ///< environment units
-  QString text;      ///< "Raise Step to 0.45 m"
+  double value = 0;  ///< in environment units
+  QString text;      ///< such as "Raise Step to 0.45 m"
   bool operator==(const SeparationMend&) const = default;
 };
 
-/// The change of one value of a filter in use that is enough for the barrier of `separation`, by at most a hundredth of
-/// the shown unit more than it needs: what it needs is known as a rounded number. Nothing where no value of these
-/// filters is enough (a wall), or where they allow it already.
+/// The change of one value of an enabled filter that removes the barrier of `separation`. The value exceeds the need by
+/// at most a hundredth of the shown unit, because the need is a rounded number. Empty where no value of these filters
+/// suffices (a wall), or where they allow the way already.
 std::optional<SeparationMend> mendOf(const Separation& separation, const std::vector<FilterEntry>& filters,
                                      const LevelUnits& units);
 

@@ -1,4 +1,4 @@
-// What keeps start and target of a path apart: a line in the panel, and a mark in the view.
+// Shows the barrier between start and target of a path: a line in the panel, and a mark in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,24 +15,24 @@
 
 namespace footfall::ui {
 
-/// Hidden while nothing keeps them apart.
+/// Hidden while there is no barrier.
 class SeparationView : public QWidget {
   Q_OBJECT
 
  public:
   SeparationView(PathModel& model, LevelView& view, QWidget* parent = nullptr);
 
-  /// How lengths and places are written.
+  /// Sets how lengths and places are formatted.
   void setWriter(LevelWriter writer);
-  /// `margin`: how much of the surroundings is shown with it.
+  /// `margin` is the size of the surroundings that are shown.
   void setMargin(double margin) { margin_ = margin; }
-  /// What the button offers to change.
+  /// Sets the function that finds the change that the button offers.
   void setMends(std::function<std::optional<SeparationMend>(const Separation& separation)> mends);
-  /// Looks again at what can be changed.
+  /// Updates the offered change.
   void refreshMend();
-  /// Draws the mark, also while the panel is hidden.
+  /// Sets whether the mark is drawn while the panel is hidden.
   void setShown(bool shown);
-  /// Brings the largest link into sight.
+  /// Moves the camera to the largest link.
   void frame();
 
   [[nodiscard]] QString text() const { return text_->text(); }
