@@ -10,7 +10,8 @@
 namespace footfall::ui {
 namespace {
 
-// A block has some 16,000 triangles, and a few hundred coarse ones: those are smaller than this shows.
+// The least size on the screen of a block in full. A block has some 16,000 triangles and a few hundred coarse ones,
+// which are smaller than a pixel at this size.
 constexpr double kLeastPixels = 80, kLeastPixelsOfLoaded = 60;
 
 std::array<QVector4D, 8> cornersOf(const SceneBox& box) {
@@ -22,7 +23,7 @@ std::array<QVector4D, 8> cornersOf(const SceneBox& box) {
   return corners;
 }
 
-// Whether all corners are on the far side of a plane.
+// Returns whether all corners are on the far side of a plane.
 bool isBehind(const std::array<QVector4D, 8>& corners, const QVector4D& plane) {
   return std::ranges::all_of(corners,
                              [&](const QVector4D& corner) { return QVector4D::dotProduct(plane, corner) < 0; });

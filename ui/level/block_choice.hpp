@@ -1,4 +1,4 @@
-// Which blocks of a large environment the view wants in full.
+// Chooses the blocks of a large environment that the view shows in full.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,13 +19,13 @@ struct BlockInView {
   SceneBox box;  ///< in the scene's coordinates
 };
 
-/// How large a box is on the screen, in device pixels, along its longer side there; 0 where the camera does not see it,
-/// heights and the cut plane leave nothing of it, or it lies behind the eye.
+/// The size of a box on the screen, in device pixels, along its longer side there. It is 0 where the camera does not
+/// see the box, where heights and the cut plane remove all of it, or where it lies behind the eye.
 double pixelsOf(const SceneBox& box, const SceneCamera& camera);
 
-/// The blocks that are large enough on the screen to be seen in full, the largest first, then the nearest, as many as
-/// have `most` triangles together. Blocks that are loaded stay while they are a little smaller, so that a small move of
-/// the camera does not drop and read them again.
+/// The blocks that are large enough on the screen to be shown in full, the largest first, then the nearest, up to
+/// `most` triangles together. Loaded blocks stay while they are a little smaller, so that a small movement of the
+/// camera does not drop and read them again.
 std::vector<std::size_t> chooseBlocks(std::span<const BlockInView> blocks, const SceneCamera& camera,
                                       std::uint64_t most, const std::set<std::size_t>& loaded);
 

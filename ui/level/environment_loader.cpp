@@ -16,7 +16,7 @@ namespace footfall::ui {
 
 namespace {
 
-// Null: it is opened as any other.
+// Null: the environment is opened like any other.
 std::shared_ptr<const PackedEnvironment> tooLarge(const std::string& path, const ImportOptions& options,
                                                   const PackedLimits& limits) {
   if (lowerExtension(path) != kPackedExtension) return nullptr;

@@ -19,22 +19,23 @@ namespace footfall::ui {
 struct LoadedEnvironment {
   std::shared_ptr<const Environment> environment;
   std::shared_ptr<const EnvironmentGeometry> geometry;
-  ImportOptions options;                ///< as asked for
+  ImportOptions options;                ///< options of the request
   std::vector<std::string> companions;  ///< companionFiles() of its file
-  /// Of a packed environment that is too large to be loaded: what of it `environment` is; null for all others.
+  /// The part of a packed environment that `environment` is, when the whole is too large to be loaded; null for all
+  /// others.
   std::shared_ptr<const PackedPart> part;
 };
 
-/// One load at a time: another one cancels it. Signals come on the thread that the loader lives on.
+/// Runs one load at a time: another one cancels it. Signals are emitted on the thread that the loader lives on.
 class EnvironmentLoader : public QObject {
   Q_OBJECT
 
  public:
   explicit EnvironmentLoader(QObject* parent = nullptr);
 
-  /// The geometry is made around `centre`, when one is given: that of the version before. Of a packed environment that
-  /// is too large, the part at `place` is loaded; nothing: in its middle. `before`: the part that is there (null:
-  /// none), whose surface is used again where it is of the same file.
+  /// Loads a file. Its geometry is made around `centre`, if given: the centre of the version before. Of a packed
+  /// environment that is too large, the part at `place` is loaded, or the part in its middle. The surface of `before`,
+  /// the present part (null: none), is used again where it is of the same file.
   void load(const QString& path, const ImportOptions& options, const std::optional<Vec3>& centre = std::nullopt,
             const std::optional<PartPlace>& place = std::nullopt,
             const std::shared_ptr<const PackedPart>& before = nullptr);
@@ -51,7 +52,7 @@ class EnvironmentLoader : public QObject {
 
  private:
   PackedLimits limits_;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

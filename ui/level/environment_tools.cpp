@@ -17,7 +17,7 @@ namespace {
 
 constexpr const char* kWatchSetting = "watchFile";
 constexpr const char* kPartsOverlay = "parts";
-// Overlays are sent to the graphics card with every frame: larger parts are shown by their box alone.
+// Overlays are sent to the graphics card with every frame, so larger parts are shown by their box alone.
 constexpr std::size_t kMostHighlighted = 20'000;
 constexpr int kHighlightAlpha = 110;
 
@@ -66,14 +66,14 @@ EnvironmentTools::EnvironmentTools(const FeatureHost& host, LevelView& view, Doc
   connect(&file_, &LevelFile::rereadDone, this, [this] { panel_->setEnvironment(file_.environment()); });
   PartLevel& parts = composer_.parts();
   connect(&parts, &PartLevel::geometryChanged, this, [this, &parts] {
-    // With obstacles it is a part of what is shown, which LevelGeometry shows.
+    // With obstacles the base is a part of the level, which LevelGeometry shows.
     if (composer_.level() == parts.base()) view_.replaceEnvironment(parts.geometry());
   });
 }
 
 void EnvironmentTools::createPanel(const FeatureHost& host) {
   panel_ = new PartPanel(document_, &host.window);
-  // Beside the filters, which stay in front: both need the height.
+  // The dock lies beside the filters, which stay in front, because both need the height.
   dock_ = host.panels.add({QStringLiteral("view.parts"),
                            tr("Meshes and Materials"),
                            tr("Leave parts of the environment out, or make them obstacles that nobody walks on"),
@@ -117,7 +117,8 @@ void EnvironmentTools::createWatch(ImportPanel& import) {
   });
   connect(&file_, &LevelFile::failed, this, &EnvironmentTools::rereadIfPending);
   connect(&file_, &LevelFile::cancelled, this, [this] {
-    if (std::exchange(rereading_, false)) watch_.acknowledge();  // asked for: not again before the next change
+    // the reread is under way: not again before the next change
+    if (std::exchange(rereading_, false)) watch_.acknowledge();
     pending_ = false;
   });
 }
@@ -126,7 +127,7 @@ void EnvironmentTools::acknowledge(const QString& path) {
   if (QFileInfo(path) == QFileInfo(watch_.path())) watch_.acknowledge();
 }
 
-// What is being read may be the old version, or another file that turns out to be none.
+// The file being read may be the old version, or another file that fails to load.
 void EnvironmentTools::reread() {
   pending_ = file_.busy();
   if (pending_) return;

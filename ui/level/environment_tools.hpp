@@ -1,4 +1,4 @@
-// What belongs to the loaded environment beside reading it: roles of its parts, and following its file.
+// The roles of the environment's parts, and reloading its file when it changes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,7 +24,7 @@ class EnvironmentTools : public QObject {
   EnvironmentTools(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file,
                    LevelComposer& composer, ImportPanel& import);
 
-  /// The editor has written this file: when it is the level's own, nothing is to be read again.
+  /// Called when the editor has written this file: when it is the level's own, it is not read again.
   void acknowledge(const QString& path);
 
   [[nodiscard]] PartPanel& panel() { return *panel_; }
@@ -50,8 +50,8 @@ class EnvironmentTools : public QObject {
   QDockWidget* dock_ = nullptr;
   FileWatch watch_;
   bool rereading_ = false;
-  bool highlighted_ = false;  ///< the view's selection is that of parts
-  bool pending_ = false;      ///< another version came while something was being read
+  bool highlighted_ = false;  ///< the view's selection shows parts
+  bool pending_ = false;      ///< another version was saved while a file was being read
 };
 
 }  // namespace footfall::ui

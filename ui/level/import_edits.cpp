@@ -32,12 +32,12 @@ void ImportEdits::edit(const ImportOptions& options) {
   QString mergeKey;
   if (options.metresPerUnit && options.metresPerUnit != document_.state().import.metresPerUnit) {
     if (panel_.scaleField()->hasFocus()) mergeKey = QStringLiteral("scale/%1").arg(panel_.scaleField()->editSession());
-    // What is typed passes through other numbers: all of them start from what was there before.
+    // Typing passes through intermediate numbers: each of them converts from the state before typing.
     if (mergeKey.isEmpty() || !scaleEdit_ || scaleEdit_->key != mergeKey)
       scaleEdit_ = ScaleEdit{mergeKey, pipeline, document_.state().agents, file_.environment()->metresPerUnit,
                              file_.environment()->scaleGuessed};
     const double scale = *options.metresPerUnit;
-    // What was typed while the unit was a guess was typed in the file's units, and stays.
+    // Values that were entered while the unit was a guess are in the file's units, and stay.
     pipeline = scaleEdit_->guessed ? rescaleDefaults(scaleEdit_->pipeline, scaleEdit_->scale, scale)
                                    : rescaleLengths(scaleEdit_->pipeline, scaleEdit_->scale, scale);
     agents = rescaledAgents(scaleEdit_->agents, scaleEdit_->scale, scale);

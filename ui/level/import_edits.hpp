@@ -13,8 +13,8 @@
 
 namespace footfall::ui {
 
-/// Keeps the panel, the document's options, the file and the unit of lengths in step: what is edited in the panel
-/// becomes an edit of the document, and what the document has, also by undo, is how the file is read.
+/// Keeps the panel, the document's options, the file and the unit of lengths consistent. An edit in the panel becomes
+/// an edit of the document, and the file is read with the document's options, also after undo.
 class ImportEdits : public QObject {
   Q_OBJECT
 
@@ -25,9 +25,9 @@ class ImportEdits : public QObject {
   void edit(const ImportOptions& options);
   void showLevel();
 
-  /// What a scale that is being typed converts from.
+  /// The state that a scale being typed converts from.
   struct ScaleEdit {
-    QString key;  ///< of the edits that are one
+    QString key;  ///< merge key of the edits that are one
     Pipeline pipeline;
     std::vector<NamedAgent> agents;
     double scale = 1;

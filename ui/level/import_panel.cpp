@@ -139,7 +139,7 @@ void ImportPanel::setOptions(const ImportOptions& options) {
   options_ = options;
   const auto place = options.up ? std::ranges::find(kUpAxes, *options.up) - kUpAxes.begin() + 1 : 0;
   up_->setCurrentIndex(static_cast<int>(place));
-  // A step is given on the command line; it is listed while it is the choice.
+  // A step can be given on the command line only; it is listed while it is the choice.
   const int steps = static_cast<int>(GridChoice::Step);
   while (grid_->count() > steps) grid_->removeItem(steps);
   if (options.grid == GridChoice::Step) grid_->addItem(tr("Step %1").arg(numberText(options.gridStep)));
@@ -174,7 +174,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     evidence_.reset();
     const SkippedElements& skipped = environment->skipped;
     QStringList left;
-    // Of the polygons, the button below the figures tells.
+    // The button below the figures counts the polygons.
     if (skipped.lines > 0) left << countedText(skipped.lines, tr("line"), tr("lines"));
     if (skipped.points > 0) left << countedText(skipped.points, tr("point"), tr("points"));
     QStringList lines;
@@ -183,7 +183,7 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
     notes_ = lines.join(QLatin1Char('\n'));
     showGrid(*environment);
     showFigures();
-    // What was given instead of guessed is no guess to fall back to.
+    // A value of the user is not kept as the guess to return to.
     if (!upGiven) {
       fileUp_ = environment->up;
       upGuessed_ = environment->upGuessed;
@@ -233,7 +233,7 @@ void ImportPanel::setUnits(const LevelUnits& units) {
   if (loaded_) showFigures();
 }
 
-// In the order of the file's axes.
+// The sizes are in the order of the file's axes.
 void ImportPanel::showFigures() {
   const std::array<double, 3> sizes{size_.x, size_.y, size_.z};
   std::array<double, 3> shown{};

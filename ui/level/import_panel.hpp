@@ -1,4 +1,4 @@
-// What is loaded and how it was read: up axis, scale, winding. Guesses are named as such and can be overruled.
+// Shows the loaded file and how it was read: up axis, scale, winding. Guesses are marked and can be changed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,31 +20,31 @@ class ImportPanel : public QWidget {
  public:
   explicit ImportPanel(QWidget* parent = nullptr);
 
-  /// The options as they are asked for; what is empty is guessed.
+  /// Sets the options as the document has them; empty options are guessed.
   void setOptions(const ImportOptions& options);
-  /// Null: nothing is loaded. `upGiven`, `scaleGiven`: its up axis, its scale is the user's word, and not the file's or
-  /// a guess.
+  /// Null: nothing is loaded. `upGiven` and `scaleGiven` are true where the user has given the up axis or the scale,
+  /// and not the file or a guess.
   void setEnvironment(const Environment* environment, const Vec3& size, bool upGiven, bool scaleGiven);
-  /// What the shapes of the level say about its unit; nothing where that is not known.
+  /// Sets the unit that the shapes of the level suggest; empty where there is none.
   void setEvidence(const std::optional<detail::ScaleEvidence>& evidence);
-  /// As if it had been typed.
+  /// Sets the scale as if it had been typed.
   void chooseScale(double metresPerUnit) { setScale(metresPerUnit); }
-  /// What is loaded is so many triangles of a larger environment.
+  /// Sets the number of triangles of the loaded part, and that of the larger environment.
   void setPart(std::uint64_t triangles, std::uint64_t ofAll);
   void setUnits(const LevelUnits& units);
 
   [[nodiscard]] QComboBox* upBox() const { return up_; }
   [[nodiscard]] NumberField* scaleField() const { return scale_; }
-  /// Confirm a scale that is a guess; shown while it is one.
+  /// The buttons that confirm a scale; shown while it is a guess.
   [[nodiscard]] QPushButton* yesButton() const { return yes_; }
   [[nodiscard]] QPushButton* noButton() const { return no_; }
   [[nodiscard]] QString questionText() const { return question_->text(); }
   [[nodiscard]] QComboBox* gridBox() const { return grid_; }
   [[nodiscard]] QCheckBox* bothSidesBox() const { return bothSides_; }
-  /// Whether the file is read again when another program saves it. Remembered by the caller.
+  /// The box for reading the file again when another program saves it. The caller remembers its state.
   [[nodiscard]] QCheckBox* watchBox() const { return watch_; }
 
-  /// Puts a widget below the figures; takes it over.
+  /// Puts a widget below the figures, and takes ownership of it.
   void addBelowFigures(QWidget* widget);
 
  signals:
@@ -60,9 +60,9 @@ class ImportPanel : public QWidget {
 
   ImportOptions options_;
   UpAxis fileUp_ = UpAxis::Z;
-  bool upGuessed_ = true;     ///< and is not the file's own word
-  double fileScale_ = 1;      ///< holds while the user gives none
-  bool scaleGuessed_ = true;  ///< and is not the file's own word
+  bool upGuessed_ = true;     ///< and is not stated by the file
+  double fileScale_ = 1;      ///< applies while the user has given none
+  bool scaleGuessed_ = true;  ///< and is not stated by the file
   bool loaded_ = false;
   QString counts_, notes_, gridText_;
   Vec3 size_;

@@ -11,7 +11,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kSpacingMetres = 0.4;  // of faces inside obstacles: no agent is lower
+constexpr double kSpacingMetres = 0.4;  // distance of faces inside obstacles: no agent is lower
 
 bool sameShape(const PlacedObstacle& a, const PlacedObstacle& b) {
   return a.shape == b.shape && a.base == b.base && a.size == b.size && a.turn == b.turn;

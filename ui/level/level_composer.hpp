@@ -1,4 +1,4 @@
-// The level that runs compute on: the loaded environment with what the document changes about it.
+// The level that runs compute on: the loaded environment with the document's part roles and obstacles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,34 +18,33 @@
 
 namespace footfall::ui {
 
-/// Follows the document's part rules and obstacles. Obstacles are solid and come after all other triangles. However
-/// many of them an edit changes (undo and sessions change several), the level is one edit (EnvironmentEdit) of the last
-/// one that has results, so that runs compute only what the change can affect and runs that were overtaken cost
-/// nothing later.
+/// Applies the document's part rules and obstacles. Obstacles are solid, and their triangles come after all others.
+/// Even if an edit changes several obstacles (undo and sessions do), the level is one edit (EnvironmentEdit) of the
+/// last level that has results, so that runs compute only the difference, and overtaken runs cost nothing later.
 class LevelComposer : public QObject {
   Q_OBJECT
 
  public:
   explicit LevelComposer(Document& document, QObject* parent = nullptr);
 
-  /// Starts anew from an environment as its file gave it (null: none), with the document as it is; emits no signal.
+  /// Sets an environment as its file gave it (null: none), with the present document; emits no signal.
   void setLoaded(std::shared_ptr<const Environment> loaded,
                  std::shared_ptr<const EnvironmentGeometry> geometry = nullptr);
-  /// The same file, read again; edited() follows when something differs. `whole`: what it is a part of, null for all of
-  /// it.
+  /// Sets the same file, read again; edited() follows when something differs. `whole` is the environment that it is a
+  /// part of, null for all of it.
   void replaceLoaded(std::shared_ptr<const Environment> loaded, std::shared_ptr<const WholeBounds> whole = nullptr);
   /// The loaded environment with the roles of its parts, before obstacles.
   [[nodiscard]] PartLevel& parts() { return parts_; }
-  /// Roles are being worked in: edited() is still to come.
+  /// Returns whether roles are being applied; edited() follows.
   [[nodiscard]] bool busy() const { return parts_.busy(); }
   /// The level; null when nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& level() const { return current_.level; }
-  /// The same without obstacles; its triangles are the first ones of the level.
+  /// The level without obstacles; its triangles are the first ones of the level.
   [[nodiscard]] const std::shared_ptr<const Environment>& base() const { return base_; }
-  /// A run on this level has finished. Levels that are not known any more are ignored.
+  /// Called when a run on this level has finished. Levels that are no longer known are ignored.
   void setComputed(const std::shared_ptr<const Environment>& level);
 
-  /// Triangles of the level, from the first one on.
+  /// A range of triangles of the level.
   struct Triangles {
     std::uint32_t first = 0, count = 0;
   };
@@ -55,9 +54,9 @@ class LevelComposer : public QObject {
   [[nodiscard]] std::optional<std::uint32_t> obstacleOf(std::uint32_t triangle) const;
 
  signals:
-  /// An edit of the document has made another level.
+  /// Emitted when an edit of the document has made another level.
   void edited(const std::shared_ptr<const footfall::Environment>& level);
-  /// An obstacle cannot be part of the level; the others are.
+  /// Emitted when an obstacle cannot be part of the level; the others are.
   void failed(const QString& message);
 
  private:

@@ -66,7 +66,7 @@ void LevelFile::setOptions(const ImportOptions& options) {
                         (!scale || !detail::gridDependsOnScale(*loaded_.environment, *scale));
   const bool sameMesh = options.up == loaded_.options.up && options.bothSides == loaded_.options.bothSides && sameGrid;
   if (!sameMesh || !scale || busy()) {
-    // Turned to another axis, a place of the plan is nowhere.
+    // A place in the plan has no meaning after a turn to another axis.
     start(Reading::OtherOptions, path(), options, {}, options.up == loaded_.options.up ? place() : std::nullopt);
     return;
   }
@@ -92,7 +92,7 @@ void LevelFile::take(const LoadedEnvironment& loaded) {
   }
 }
 
-// What was given instead of the file's scale says nothing about the file.
+// A scale that the user has given is not the file's.
 void LevelFile::keepScale() {
   if (loaded_.options.metresPerUnit) return;
   fileScale_ = loaded_.environment->metresPerUnit;

@@ -11,38 +11,38 @@
 
 namespace footfall::ui {
 
-/// Why a file is being read.
+/// The reason why a file is being read.
 enum class Reading {
-  Nothing,       ///< none is
+  Nothing,       ///< no file is being read
   Another,       ///< another file
   OtherOptions,  ///< the same file with other import options
   OtherPart,     ///< another part of the same file, which is too large to be loaded as a whole
-  Again          ///< the same file with the same options, as another program has saved it
+  Again          ///< the same file with the same options, after another program has saved it
 };
 
-/// Reads the file in the background. While one is read, the level that was there stays.
+/// Reads the file in the background. The present level stays while a file is being read.
 class LevelFile : public QObject {
   Q_OBJECT
 
  public:
   explicit LevelFile(QObject* parent = nullptr);
 
-  /// Takes the place of what is being read.
+  /// Replaces the read that is under way.
   void open(const QString& path, const ImportOptions& options);
-  /// Reads the file again; nothing while something is being read. Errors come as rereadFailed() alone.
+  /// Reads the file again, unless a file is being read. Errors emit rereadFailed() only.
   void reread(const ImportOptions& options);
-  /// Other options for the file: it is read again where they make a difference to the mesh, else rescaled() follows at
-  /// once. Nothing while another file is being read, which has options of its own.
+  /// Sets other options. The file is read again where they change the mesh, else rescaled() follows at once. Ignored
+  /// while another file is being read, which has options of its own.
   void setOptions(const ImportOptions& options);
-  /// Another part of a file of which a part is loaded (LoadedEnvironment::part), with the same options. False: nothing
-  /// is done, as something else is being read.
+  /// Loads another part of a file of which a part is loaded (LoadedEnvironment::part), with the same options. Returns
+  /// false, and does nothing, while a file is being read.
   bool showPart(const PartPlace& place);
   void setPackedLimits(const PackedLimits& limits) { loader_.setPackedLimits(limits); }
   void cancel();
 
   [[nodiscard]] bool busy() const { return loader_.busy(); }
   [[nodiscard]] Reading reading() const { return reading_; }
-  /// What is being read; empty: nothing.
+  /// The path of the file that is being read; empty: none.
   [[nodiscard]] QString pathBeingRead() const { return reading_ == Reading::Nothing ? QString() : path_; }
   /// The environment as the file gave it, without roles of parts and obstacles; null while nothing is loaded.
   [[nodiscard]] const std::shared_ptr<const Environment>& environment() const { return loaded_.environment; }
@@ -52,13 +52,14 @@ class LevelFile : public QObject {
 
  signals:
   void started(const QString& path);
-  /// The file has been read: document, runs and view are to take the level. Null: there was none before.
+  /// Emitted when the file has been read; document, runs and view then take the level. `before` is null when there was
+  /// no level.
   void arrived(footfall::ui::Reading reading, const std::shared_ptr<const footfall::Environment>& before);
-  /// They have taken it: the editor shows another level, or the same one with other options.
+  /// Emitted after arrived(): the editor shows another level, or the same one with other options.
   void opened(footfall::ui::Reading reading);
-  /// The same, when the file was read again.
+  /// Emitted when the file has been read again.
   void rereadDone();
-  /// The scale is another one; nothing else has changed.
+  /// Emitted when only the scale has changed.
   void rescaled();
   /// One line: what, where and what to do. The level before stays.
   void failed(const QString& message);
@@ -74,10 +75,11 @@ class LevelFile : public QObject {
 
   LoadedEnvironment loaded_;
   Reading reading_ = Reading::Nothing;
-  QString path_;                     ///< being read
-  std::optional<double> fileScale_;  ///< the loaded file's own, or the guess; what holds while the user gives none
+  QString path_;  ///< path of the file being read
+  /// the loaded file's own scale, or the guess; applies while the user has given none
+  std::optional<double> fileScale_;
   bool fileScaleGuessed_ = true;
-  EnvironmentLoader loader_;  // last: its thread ends before the rest goes
+  EnvironmentLoader loader_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kAtOnce = 250'000;  // triangles; 5 ms
+constexpr std::size_t kAtOnce = 250'000;  // triangles, which take 5 ms
 
 }  // namespace
 
@@ -29,7 +29,7 @@ void LevelGeometry::follow() {
   const auto& level = composer_.level();
   if (!level || !base) return;
   const std::size_t first = composer_.base()->triangles.size();
-  if (base->surface.size() != 3 * first) return;  // of a file with ignored parts: it is still to come
+  if (base->surface.size() != 3 * first) return;  // the geometry of a file with ignored parts is not ready yet
   if (first <= kAtOnce || level->triangles.size() == first) {
     show(withObstacles(base, *level, first));
     return;
@@ -39,12 +39,12 @@ void LevelGeometry::follow() {
     try {
       made = withObstacles(base, *level, first);
     } catch (const std::bad_alloc&) {
-      return;  // the run tells of it
+      return;  // the run reports it
     }
     QMetaObject::invokeMethod(
         this,
         [this, level, made] {
-          if (composer_.level() == level) show(made);  // else overtaken
+          if (composer_.level() == level) show(made);  // else it was overtaken
         },
         Qt::QueuedConnection);
   });

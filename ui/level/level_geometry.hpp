@@ -1,4 +1,4 @@
-// The level in the view: the geometry of the environment with the roles of its parts, and of obstacles.
+// The level's geometry in the view: the environment with the roles of its parts, and the obstacles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,16 +11,16 @@
 
 namespace footfall::ui {
 
-/// Follows the composer at once, so that numbers of triangles mean the same in the view and in the level. For more than
-/// 250,000 triangles the copies are made in the background: the view is then a moment behind, and numbers of obstacles'
-/// triangles with it; those of the environment stay what they are.
+/// Follows the composer at once, so that the view and the level number triangles alike. Copies of more than 250,000
+/// triangles are made in the background: the view, and its numbers of obstacles' triangles, are then a moment late;
+/// numbers of the environment's triangles do not change.
 class LevelGeometry : public QObject {
   Q_OBJECT
 
  public:
   LevelGeometry(LevelComposer& composer, LevelView& view, QObject* parent = nullptr);
 
-  /// After the view was given another environment, as its file has it.
+  /// Called after the view was given another environment, as its file has it.
   void follow();
 
  private:
@@ -28,7 +28,7 @@ class LevelGeometry : public QObject {
 
   LevelComposer& composer_;
   LevelView& view_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -69,7 +69,7 @@ void LevelLook::addLayers(const FeatureHost& host) {
     nameLayer();
   });
   const QString group = QStringLiteral("floors");
-  // Lists and scroll areas have a use of their own for these keys.
+  // Lists and scroll areas use these keys themselves.
   const auto inView = [this](QAction* action) {
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     view_.addAction(action);
@@ -100,7 +100,7 @@ void LevelLook::addLayers(const FeatureHost& host) {
                     });
 }
 
-// A layer that is shown alone has its number in the view.
+// The view shows the number of a layer that is shown alone.
 void LevelLook::nameLayer() {
   const QString overlay = QStringLiteral("layer");
   const std::optional<std::uint32_t> layer = layers_->soloLayer();
@@ -152,7 +152,7 @@ void LevelLook::addInside(CommandRegistry& commands) {
         emit sections_.changed();
       });
   inside_->setChecked(true);
-  // Where roofs have been taken away, one is to know, and how to see a single storey.
+  // Where roofs have been hidden, a hint explains it, and how to show a single storey.
   connect(&file_, &LevelFile::opened, this, [this] {
     const auto geometry = view_.environmentGeometry();
     if (!geometry || !geometry->covered || !view_.inside()) {
@@ -163,7 +163,7 @@ void LevelLook::addInside(CommandRegistry& commands) {
     }
     layout_.update();
   });
-  // The legend has grown by what the first result has shown.
+  // The legend has grown with the first result.
   connect(&file_, &LevelFile::opened, this, [this] { fresh_ = true; });
   connect(&controller_, &RunController::finished, this, [this] {
     if (std::exchange(fresh_, false)) view_.cameraController().refit();
@@ -171,7 +171,7 @@ void LevelLook::addInside(CommandRegistry& commands) {
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);
   connect(inside_, &QAction::toggled, hint_, &QWidget::hide);
-  // Who has begun to work has seen it, and needs the room.
+  // The hint is removed once the user has begun to work, because it takes up room.
   connect(&view_, &LevelView::toolChanged, hint_, [this] {
     if (view_.tool()) hint_->hide();
   });

@@ -1,4 +1,4 @@
-// How the level is looked at: the mode, hidden layers, heights and the cut plane, with their commands and docks.
+// The display of the level: the mode, hidden layers, heights and the cut plane, with their commands and docks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -48,9 +48,9 @@ class LevelLook : public QObject {
   CutBar* cutBar_ = nullptr;
   QAction* inside_ = nullptr;
   ViewHint* hint_ = nullptr;
-  bool fresh_ = false;  ///< there is no result yet of what has been opened
-  QString source_;      ///< the file whose level is shown
-  /// What a session keeps, until its environment is shown.
+  bool fresh_ = false;  ///< the opened file has no result yet
+  QString source_;      ///< the file of the shown level
+  /// Settings of a session, until its environment is shown.
   struct Kept {
     std::set<std::uint32_t> hidden;
     HeightRange heights;

@@ -11,7 +11,7 @@ namespace {
 constexpr int kRestMs = 150;
 constexpr int kPauseMs = 600;
 
-/// The greatest 1, 2.5 or 5 times a power of ten that is not above `length`.
+/// The largest of 1, 2.5 or 5 times a power of ten that is not above `length`.
 double roundLength(double length) {
   const double power = std::pow(10.0, std::floor(std::log10(length) + 1e-9));
   for (const double digits : {5.0, 2.5})
@@ -70,13 +70,13 @@ PlacedObstacle ObstacleEditor::makeDefault(PlacedObstacle::Shape shape) const {
   PlacedObstacle obstacle;
   obstacle.shape = shape;
   obstacle.size = {metre, metre, metre};
-  if (shape == PlacedObstacle::Shape::Ramp) obstacle.size.x = 2 * metre;  // walkable at most slopes
+  if (shape == PlacedObstacle::Shape::Ramp) obstacle.size.x = 2 * metre;  // walkable for most slope limits
   return obstacle;
 }
 
 double ObstacleEditor::step(bool coarse) const { return roundShown(coarse ? 0.25 : 0.01); }
 
-// Round for whoever reads it.
+// Rounds lengths that users read.
 double ObstacleEditor::roundShown(double metres) const {
   return units_.stored(roundLength(metres / units_.metresPerUnit * units_.factor()));
 }
@@ -229,13 +229,13 @@ void ObstacleEditor::cancelDrag() {
   if (drag.committed) {
     DocumentState back = document_.state();
     back.obstacles = drag.before.obstacles;
-    document_.edit(std::move(back), drag.text, drag.mergeKey);  // together they are no entry
+    document_.edit(std::move(back), drag.text, drag.mergeKey);  // together they make no entry
   }
   if (selected_ && !inDocument(*selected_)) selected_.reset();
   emit changed();
 }
 
-// Somebody else's edit, undo or another level: what is dragged may not be there any more.
+// After another edit, undo or another level, the dragged obstacle may no longer exist.
 void ObstacleEditor::documentChanged() {
   if (!committing_) {
     rest_.stop();

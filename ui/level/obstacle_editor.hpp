@@ -1,4 +1,4 @@
-// Editing the document's obstacles: which one is selected, edits with names for undo, and drags whose result follows.
+// Edits the document's obstacles: the selected one, edits with names for undo, and drags whose result follows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,9 +16,9 @@
 
 namespace footfall::ui {
 
-/// Edits obstacles for the tools in the view and the panel, which share it. While one is dragged, the document gets its
-/// newest place whenever no run is under way, or when the mouse has rested for 150 ms: runs are not cancelled by the
-/// next movement, and never does more than one wait. A drag is one entry of the undo stack.
+/// Edits obstacles for the tools in the view and for the panel, which share it. During a drag, the document gets the
+/// newest place whenever no run is under way, or when the mouse has rested for 150 ms. The next movement thus cancels
+/// no run, and at most one run waits. A drag is one entry of the undo stack.
 class ObstacleEditor : public QObject {
   Q_OBJECT
 
@@ -26,7 +26,7 @@ class ObstacleEditor : public QObject {
   ObstacleEditor(Document& document, LevelComposer& composer, RunController& controller, QObject* parent = nullptr);
 
   [[nodiscard]] const std::vector<PlacedObstacle>& obstacles() const { return document_.state().obstacles; }
-  /// An obstacle as it is under the mouse while it is dragged; null when there is none with this id.
+  /// An obstacle at its place under the mouse while it is dragged; null when there is none with this id.
   [[nodiscard]] const PlacedObstacle* find(std::uint32_t id) const;
   [[nodiscard]] const PlacedObstacle* selected() const { return selected_ ? find(*selected_) : nullptr; }
   void select(std::optional<std::uint32_t> id);
@@ -36,41 +36,42 @@ class ObstacleEditor : public QObject {
   /// The step to which dragged lengths are rounded, about a centimetre; with `coarse`, about a quarter of a metre.
   [[nodiscard]] double step(bool coarse) const;
 
-  /// Steps and new obstacles are round in the unit that is shown.
+  /// Sets the unit in which steps and sizes of new obstacles are round.
   void setUnits(const LevelUnits& units) { units_ = units; }
   [[nodiscard]] const LevelUnits& units() const { return units_; }
 
-  // Edits that can be undone. All of them end a drag first.
+  // Edits that can be undone. Each of them ends a drag first.
 
-  /// Gives it an id, and a name where it has none; selects it.
+  /// Adds an obstacle with a new id, and with a name where it has none, and selects it. Returns the id.
   std::uint32_t add(PlacedObstacle obstacle);
-  /// A copy at the same place plus `offset`, selected.
+  /// Adds a copy at the same place plus `offset`, and selects it.
   std::optional<std::uint32_t> duplicate(std::uint32_t id, const Vec3& offset);
   void remove(std::uint32_t id);
-  /// Puts `next` in the place of the one with its id. `text` names the edit, with %1 for the obstacle; edits with the
-  /// same merge key that follow each other are one.
+  /// Replaces the obstacle with the id of `next`. `text` names the edit, with %1 for the obstacle; consecutive edits
+  /// with the same merge key are one.
   void change(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
 
-  /// As change(), for edits that follow each other quickly (a key that is held, a number that is typed): they count as
-  /// a drag, which ends when nothing follows for a while. Without a merge key, those between two pauses are one edit.
+  /// Changes an obstacle like change(), for edits that follow each other quickly (a key that is held, a number that is
+  /// typed). They count as a drag, which ends when no further edit follows for a while. Without a merge key, the edits
+  /// between two pauses are one.
   void changeSoon(const PlacedObstacle& next, const QString& text, const QString& mergeKey = {});
 
   // Drags of the mouse.
 
-  /// `text` as for change().
+  /// `text` is as for change().
   void beginDrag(std::uint32_t id, const QString& text);
-  /// The same for a copy that is made with the first movement.
+  /// Begins to drag a copy, which is made with the first movement.
   void beginDragOfCopy(std::uint32_t id);
   void dragTo(const PlacedObstacle& next);
   void endDrag();
-  /// All is as it was before the drag.
+  /// Restores the state before the drag.
   void cancelDrag();
   [[nodiscard]] bool dragging() const { return drag_.has_value(); }
 
   static QString nameOf(PlacedObstacle::Shape shape);
 
  signals:
-  /// Obstacles or the selection are others, or the dragged one has moved.
+  /// Emitted when obstacles or the selection changed, or the dragged obstacle moved.
   void changed();
 
  private:
@@ -79,7 +80,7 @@ class ObstacleEditor : public QObject {
     QString text, mergeKey;
     PlacedObstacle live;
     DocumentState before;
-    bool committed = false;  ///< the document has an entry of it
+    bool committed = false;  ///< the document has an entry for it
   };
 
   [[nodiscard]] double roundShown(double metres) const;
@@ -98,8 +99,8 @@ class ObstacleEditor : public QObject {
   std::optional<Drag> drag_;
   bool committing_ = false;
   int drags_ = 0;
-  QTimer rest_;   ///< of the mouse
-  QTimer pause_;  ///< ends what changeSoon() began
+  QTimer rest_;   ///< rest of the mouse
+  QTimer pause_;  ///< ends an edit of changeSoon()
 };
 
 }  // namespace footfall::ui

@@ -23,7 +23,7 @@ using Shape = PlacedObstacle::Shape;
 constexpr std::array kShapes{Shape::Box, Shape::Cylinder, Shape::Ramp};
 constexpr const char* kSelection = "obstacle.selection";
 
-// However it is turned.
+// The box holds the obstacle at any turn.
 SceneBox boundsOf(const PlacedObstacle& o) {
   const double reach = std::hypot(o.size.x, o.size.y) / 2;
   return {{o.base.x - reach, o.base.y - reach, o.base.z}, {o.base.x + reach, o.base.y + reach, o.base.z + o.size.z}};
@@ -53,8 +53,8 @@ ObstacleFeatures::ObstacleFeatures(const FeatureHost& host, LevelView& view, Doc
 
 PlaceObstacleTool& ObstacleFeatures::placeTool(Shape shape) { return *place_[static_cast<std::size_t>(shape)]; }
 
-// The view shows the level that runs compute on; numbers of triangles mean the same in both. The composer gets results
-// before the editor, which then makes the next level from them.
+// The view shows the level that runs compute on, and both number triangles alike. The composer gets results before the
+// editor, which then makes the next level from them.
 void ObstacleFeatures::followLevel() {
   connect(&file_, &LevelFile::opened, this, [this] { geometry_->follow(); });
   connect(&controller_, &RunController::finished, this,
@@ -119,7 +119,7 @@ void ObstacleFeatures::createPanel(const FeatureHost& host) {
   connect(panel_, &ObstaclePanel::stickingChanged, this, [this](bool on) { select_->setSticking(on); });
 }
 
-// Their keys count in the view and in the dock only: elsewhere they belong to filters and texts.
+// Their keys work in the view and in the dock only: elsewhere they belong to filters and texts.
 void ObstacleFeatures::createCommands(CommandRegistry& commands) {
   const QString group = QStringLiteral("obstacles");
   QAction* copy = commands.add({QStringLiteral("obstacle.duplicate"),
@@ -144,7 +144,7 @@ void ObstacleFeatures::createCommands(CommandRegistry& commands) {
     action->setShortcutContext(Qt::WidgetShortcut);
     view_.addAction(action);
     panel_->list()->addAction(action);
-    // Other tools have marks of their own that Del takes away.
+    // Other tools have marks of their own that Del removes.
     const auto enable = [this, action] {
       const ViewTool* tool = view_.tool();
       action->setEnabled(editor_->selected() && (!tool || tool == select_ || std::ranges::count(place_, tool) > 0));
@@ -163,7 +163,7 @@ void ObstacleFeatures::duplicate() {
   editor_->duplicate(o->id, {roundTo(beside.x - o->base.x, step), roundTo(beside.y - o->base.y, step), 0});
 }
 
-// The selected one stands out, with or without the tool; while it is dragged, it is seen at once where it will be.
+// The selected obstacle is highlighted, with or without the tool; during a drag it is drawn at its new place at once.
 void ObstacleFeatures::showSelection() {
   const QString name = QLatin1String(kSelection);
   const PlacedObstacle* selected = editor_->selected();

@@ -1,4 +1,4 @@
-// Obstacles in the editor: tools, commands and the dock, and the level that follows them in the view.
+// Obstacles in the editor: tools, commands, the dock, and the update of the level in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -29,7 +29,7 @@ class ObstacleFeatures : public QObject {
   [[nodiscard]] ObstaclePanel& panel() { return *panel_; }
 
  protected:
-  /// Esc belongs to a tool and does not cancel the run; page keys to what is selected.
+  /// An active tool uses Esc, so that it does not cancel the run; page keys move the selected obstacle.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:

@@ -20,19 +20,19 @@ namespace {
 using Handle = ObstacleHandle;
 
 constexpr double kArrow = 90;  // pixels from the middle
-constexpr double kHead = 16;   // of an arrow
+constexpr double kHead = 16;   // length of an arrow's head
 constexpr double kSquareFrom = 24, kSquareTo = 46;
 constexpr double kCube = 6;      // half of its edge
 constexpr double kCubeGap = 16;  // between a side and its cube
 constexpr double kRingGap = 34;
 constexpr double kReach = 8;
-constexpr double kArrowFrom = 20;     // from the middle, where an arrow can be taken: the body is there as well
-constexpr double kFromItsEnd = 0.25;  // of its length: axes that look shorter
+constexpr double kArrowFrom = 20;  // arrows can be taken from here on: nearer to the middle, the mouse takes the body
+constexpr double kFromItsEnd = 0.25;  // share of its length: axes that look shorter have no handle
 constexpr int kRingSides = 64;
 
 Vec3 middleOf(const PlacedObstacle& o) { return placeOn(o, {0, 0, o.size.z / 2}); }
 
-/// Away from the obstacle, where the handle moves something along a line.
+/// The direction away from the obstacle for a handle that moves along a line.
 std::optional<Vec3> axisOf(const PlacedObstacle& o, Handle handle) {
   const auto [c, s] = directionOf(o.turn);
   switch (handle) {
@@ -119,7 +119,7 @@ bool ObstacleGizmo::isThere(Handle handle) const {
 Vec3 ObstacleGizmo::arrowTip(Handle handle) const {
   const double pixel = view_.unitsPerPixel;
   const Vec3& size = obstacle_.size;
-  // Beyond the obstacle and its cube.
+  // The place is beyond the obstacle and its cube.
   const double half = handle == Handle::MoveZ ? size.z / 2 : std::hypot(size.x, size.y) / 2;
   const double length = std::max(kArrow * pixel, half + (kCubeGap + 3 * kHead) * pixel);
   return middleOf(obstacle_) + *axisOf(obstacle_, handle) * length;
@@ -142,7 +142,7 @@ Vec3 ObstacleGizmo::planCorner(int corner) const {
   const double pixel = view_.unitsPerPixel;
   const double x = corner == 1 || corner == 2 ? kSquareTo : kSquareFrom;
   const double y = corner >= 2 ? kSquareTo : kSquareFrom;
-  // On top, where the obstacle does not hide it.
+  // The handle is on top, where the obstacle does not hide it.
   return placeOn(obstacle_, {0, 0, obstacle_.size.z}) + Vec3{x * pixel, y * pixel, 0};
 }
 
@@ -157,7 +157,7 @@ Vec3 ObstacleGizmo::placeOf(Handle handle) const {
     case Handle::MovePlan:
       return (planCorner(0) + planCorner(2)) * 0.5;
     case Handle::Turn: {
-      // Between the axes, where nothing else is.
+      // The handle is between the axes, where no other one is.
       const double d = ringRadius() * std::numbers::sqrt2 / 2;
       return obstacle_.base + Vec3{d, -d, 0};
     }
@@ -231,7 +231,7 @@ ViewOverlay ObstacleGizmo::overlay(std::optional<Handle> marked) const {
   const std::vector<Vec3> circle = ring();
   ViewOverlay::Lines turn{{}, colour(Handle::Turn), 3, rim};
   for (std::size_t i = 1; i < circle.size(); ++i) {
-    // They overlap: their ends are soft.
+    // Segments overlap, because their ends are blurred.
     const Vec3 more = (circle[i] - circle[i - 1]) * 0.2;
     turn.segments.push_back({circle[i - 1] - more, circle[i] + more});
   }
@@ -260,7 +260,7 @@ ViewOverlay ObstacleGizmo::overlay(std::optional<Handle> marked) const {
 std::optional<PlacedObstacle> dragged(const PlacedObstacle& start, Handle handle, const Ray& from, const Ray& to,
                                       const DragSteps& steps) {
   PlacedObstacle next = start;
-  // In one coordinate; `moved` is how far the mouse went.
+  // Moves one coordinate; `moved` is the distance of the mouse.
   const auto shifted = [&](double place, double moved) {
     if (steps.toGrid) return roundTo(place + moved, steps.length);
     return roundTo(moved, steps.length) == 0 ? place

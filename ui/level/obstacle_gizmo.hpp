@@ -1,4 +1,4 @@
-// The handles of a selected obstacle: where they are, which one is under the mouse, and what dragging one does.
+// The handles of a selected obstacle: their places, the one under the mouse, and the effect of dragging.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,27 +13,28 @@
 
 namespace footfall::ui {
 
-/// What moves an obstacle along an axis of the environment or in the plan, turns it, or moves one of its sides.
+/// A handle that moves an obstacle along an axis of the environment or in the plan, turns it, or moves one of its
+/// sides.
 enum class ObstacleHandle { MoveX, MoveY, MoveZ, MovePlan, Turn, LowerX, UpperX, LowerY, UpperY, Top };
 
-/// How the view looks at the handles.
+/// The view of the handles.
 struct GizmoView {
   std::function<std::optional<QPointF>(const Vec3&)> project;
   double unitsPerPixel = 1;  ///< at the obstacle
 };
 
-/// Handles keep their size on the screen: arrows of 90 pixels from the obstacle's middle (longer where it is larger), a
-/// square between two of them, a ring around its foot, and a cube outside of each side but the bottom. Handles whose
-/// axis is seen from its end are not there: the mouse could not move them.
+/// Handles have a constant size on the screen: arrows of 90 pixels from the obstacle's middle (longer where it is
+/// larger), a square between two of them, a ring around its foot, and a cube outside of each side except the bottom.
+/// There is no handle whose axis is seen from its end, because the mouse could not move it.
 class ObstacleGizmo {
  public:
   ObstacleGizmo(const PlacedObstacle& obstacle, const GizmoView& view);
 
-  /// The handle at a place of the view, cubes first. Nothing farther than 8 pixels away.
+  /// The handle at a place of the view, cubes first, at most 8 pixels away.
   [[nodiscard]] std::optional<ObstacleHandle> at(const QPointF& place) const;
-  /// The handles, the one that is hovered or held highlighted.
+  /// The handles, with the hovered or held one highlighted.
   [[nodiscard]] ViewOverlay overlay(std::optional<ObstacleHandle> marked) const;
-  /// Where a handle can be taken, in the environment.
+  /// The place in the environment where a handle can be taken.
   [[nodiscard]] Vec3 placeOf(ObstacleHandle handle) const;
 
  private:
@@ -48,16 +49,16 @@ class ObstacleGizmo {
   GizmoView view_;
 };
 
-/// Lengths and places are rounded to `length`, turns to `degrees`; `toGrid` rounds places themselves, and not how far
-/// they have moved.
+/// Lengths and places are rounded to `length`, turns to `degrees`. `toGrid` rounds the places themselves, and not their
+/// movement.
 struct DragSteps {
   double length = 0.01;
   double degrees = 1;
   bool toGrid = false;
 };
 
-/// `start` as it becomes when `handle` was taken on the line of sight `from` and is now on `to`; nothing when a line of
-/// sight does not tell (it runs along the axis, or past the horizon). Extents stay at least one step.
+/// The obstacle `start` after `handle` was taken on the line of sight `from` and moved to `to`. Empty where a line of
+/// sight gives no place (it runs along the axis, or past the horizon). Extents stay at least one step.
 std::optional<PlacedObstacle> dragged(const PlacedObstacle& start, ObstacleHandle handle, const Ray& from,
                                       const Ray& to, const DragSteps& steps);
 

@@ -30,10 +30,10 @@ std::optional<Vec3> ObstacleGround::at(const QPoint& place, std::optional<std::u
   const auto& level = composer_.level();
   if (!level) return std::nullopt;
   const std::optional<SurfacePoint> seen = view_.pick(place);
-  if (seen && seen->triangle >= level->triangles.size()) return std::nullopt;  // of a level before
+  if (seen && seen->triangle >= level->triangles.size()) return std::nullopt;  // a triangle of an earlier level
   if (!seen || !without || composer_.obstacleOf(seen->triangle) != without)
     return seen ? std::optional(exactOn(seen->triangle, seen->point)) : std::nullopt;
-  // Behind the obstacle that is left out: from where the line of sight leaves it.
+  // Searches behind the obstacle that is left out, from where the line of sight leaves it.
   const Ray ray = view_.rayAt(place);
   const LevelComposer::Triangles skipped = composer_.trianglesOf(*without);
   std::optional<SurfacePoint> nearest;
@@ -52,7 +52,7 @@ std::optional<Vec3> ObstacleGround::under(const Vec3& place, std::optional<std::
   const auto& level = composer_.level();
   if (!level) return std::nullopt;
   const LevelComposer::Triangles skipped = without ? composer_.trianglesOf(*without) : LevelComposer::Triangles{};
-  // From a little higher: what lies exactly there counts.
+  // Starts a little higher, so that a floor exactly there counts.
   const double above = 1e-9 * (1 + std::abs(place.z));
   const Ray down{{place.x, place.y, place.z + above}, {0, 0, -1}};
   std::optional<SurfacePoint> highest;

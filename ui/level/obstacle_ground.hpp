@@ -1,4 +1,4 @@
-// Where obstacles may stand: surfaces of the level under the mouse and under a place.
+// Finds the surfaces on which obstacles may stand, under the mouse and under a place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,17 +11,17 @@
 
 namespace footfall::ui {
 
-/// Leaves one obstacle out of account, the one that is moved. Places are the environment's; their heights are exact on
-/// horizontal triangles, so that what is put there touches them.
+/// Leaves out one obstacle, the moved one. Places are in the environment; their heights are exact on horizontal
+/// triangles, so that obstacles touch them.
 class ObstacleGround {
  public:
   ObstacleGround(const LevelView& view, const LevelComposer& composer) : view_(view), composer_(composer) {}
 
-  /// What is seen at a place of the view.
+  /// The place that is visible at a point of the view.
   [[nodiscard]] std::optional<Vec3> at(const QPoint& place, std::optional<std::uint32_t> without = {}) const;
   /// The highest floor (facing up) at or below a place.
   [[nodiscard]] std::optional<Vec3> under(const Vec3& place, std::optional<std::uint32_t> without = {}) const;
-  /// The obstacle that is seen at a place of the view.
+  /// The obstacle that is visible at a point of the view.
   [[nodiscard]] std::optional<std::uint32_t> obstacleAt(const QPoint& place) const;
 
  private:

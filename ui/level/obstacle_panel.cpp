@@ -28,7 +28,7 @@ ParameterDescriptor descriptor(const char* name, Unit unit, bool positive) {
   return parameter;
 }
 
-// The base along the file's axes.
+// The base is along the file's axes.
 double numberOf(const PlacedObstacle& o, std::size_t index, const LevelUnits& units) {
   LevelUnits file = units;
   file.wanted = LengthUnit::FileUnits;
@@ -107,7 +107,7 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
     return label;
   };
   row(1, tr("Base x, y, z"), 0, 3);
-  row(2, tr("Size"), 3, 3)->setToolTip(tr("Length, width, height"));  // all of it would make the panel wide
+  row(2, tr("Size"), 3, 3)->setToolTip(tr("Length, width, height"));  // the whole text would make the panel wide
   row(3, tr("Turn"), 6, 1);
   grid->addWidget(new QLabel(tr("degrees"), form_), 3, 2);
   for (int column = 1; column < 4; ++column) grid->setColumnStretch(column, 1);

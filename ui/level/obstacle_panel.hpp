@@ -1,4 +1,4 @@
-// The dock "Obstacles": a list of what was placed, and the numbers of the selected one.
+// The dock "Obstacles": a list of the placed obstacles, and the numbers of the selected one.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,8 @@
 
 namespace footfall::ui {
 
-/// All edits can be undone; what is typed into one field at a time is one of them. The selection is that of the editor.
+/// All edits can be undone; the numbers typed into one field in a row are one edit. The panel and the editor share the
+/// selection.
 class ObstaclePanel : public QWidget {
   Q_OBJECT
 
@@ -24,11 +25,11 @@ class ObstaclePanel : public QWidget {
   explicit ObstaclePanel(ObstacleEditor& editor, QWidget* parent = nullptr);
 
   [[nodiscard]] QListWidget* list() const { return list_; }
-  /// x, y, z of its base along the file's axes; length, width, height; turn.
+  /// The fields x, y, z of its base along the file's axes; length, width, height; turn.
   [[nodiscard]] NumberField* field(std::size_t index) const { return fields_[index]; }
   [[nodiscard]] QLineEdit* nameField() const { return name_; }
   [[nodiscard]] QCheckBox* stickBox() const { return stick_; }
-  /// Nothing can be placed while nothing is loaded.
+  /// Obstacles cannot be placed while nothing is loaded.
   void setPlacing(bool possible);
   void setUnits(const LevelUnits& units);
 

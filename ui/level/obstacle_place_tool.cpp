@@ -37,7 +37,7 @@ void PlaceObstacleTool::setState(State state) {
   if (std::exchange(state_, state) != state) context_.say(hint());
 }
 
-// On the grid when `coarse`; fractions of a step are of no use to anybody.
+// Places are rounded to the grid when `coarse`; nobody needs fractions of a step.
 void PlaceObstacleTool::hover(const ViewMouse& mouse) {
   preview_.reset();
   if (const auto ground = ground_.at(mouse.place)) {
@@ -61,7 +61,7 @@ void PlaceObstacleTool::drawBase(const ViewMouse& mouse) {
   preview_->size.x = std::max(roundTo(std::abs(x1 - x0), step), step);
   preview_->size.y = std::max(roundTo(std::abs(y1 - y0), step), step);
   if (shape_ == PlacedObstacle::Shape::Ramp) {
-    // It rises the way that was drawn, along the longer side.
+    // The ramp rises in the direction of the mouse, along the longer side.
     const bool alongX = preview_->size.x >= preview_->size.y;
     if (!alongX) std::swap(preview_->size.x, preview_->size.y);
     preview_->turn = alongX ? (x1 >= x0 ? 0 : 180) : (y1 >= y0 ? 90 : -90);
@@ -74,7 +74,7 @@ void PlaceObstacleTool::drawHeight(const ViewMouse& mouse) {
   const double step = context_.editor.step(mouse.modifiers.testFlag(Qt::ShiftModifier));
   PlacedObstacle flat = *preview_;
   flat.size.z = step;
-  // As if its top were dragged there from its bottom, which the mouse left at the corner that it drew last.
+  // The height is dragged as if the top had been taken at the bottom, where the mouse left the last corner.
   Ray bottom = context_.view.rayAt(pressed_);
   const auto next = dragged(flat, ObstacleHandle::Top, bottom, context_.view.rayAt(mouse.place),
                             {step, 1, mouse.modifiers.testFlag(Qt::ShiftModifier)});

@@ -33,7 +33,7 @@ QString textOf(std::optional<ObstacleHandle> handle) {
 SelectObstacleTool::SelectObstacleTool(ObstacleContext context, QObject* parent)
     : QObject(parent), context_(std::move(context)), ground_(context_.view, context_.composer) {
   connect(&context_.editor, &ObstacleEditor::changed, this, [this] {
-    if (!context_.editor.dragging()) hold_.reset();  // undo came between
+    if (!context_.editor.dragging()) hold_.reset();  // an undo ended the drag
     refresh();
   });
   connect(&context_.view.cameraController(), &CameraController::moved, this, &SelectObstacleTool::refresh);
@@ -87,7 +87,7 @@ bool SelectObstacleTool::mousePressed(const ViewMouse& mouse) {
   return true;
 }
 
-// On the ground at its new place, when there is one within reach: a metre up, any depth down.
+// Puts the obstacle on the ground at its new place, when there is one within reach: a metre up, any depth down.
 void SelectObstacleTool::stick(PlacedObstacle& obstacle, double from) const {
   const double reach = context_.editor.makeDefault(PlacedObstacle::Shape::Box).size.z;
   const auto ground = ground_.under({obstacle.base.x, obstacle.base.y, from + reach}, obstacle.id);
@@ -102,7 +102,7 @@ std::optional<PlacedObstacle> SelectObstacleTool::held(const ViewMouse& mouse) c
   if (hold_->handle) {
     next = dragged(hold_->start, *hold_->handle, hold_->from, to, steps);
   } else {
-    // The body moves in the plane through where it was taken.
+    // The body moves in the plane through the place where it was taken.
     PlacedObstacle raised = hold_->start;
     raised.size.z = 0;
     raised.base.z = hold_->height;
@@ -146,7 +146,7 @@ void SelectObstacleTool::mouseLeft() {
   refresh();
 }
 
-// Along the axes of the environment, the ones nearest to the screen's.
+// Moves along the axes of the environment that are nearest to the screen's axes.
 bool SelectObstacleTool::nudge(int key, bool coarse) {
   const PlacedObstacle* selected = context_.editor.selected();
   if (!selected || hold_) return false;
@@ -176,7 +176,7 @@ bool SelectObstacleTool::nudge(int key, bool coarse) {
     default:
       return false;
   }
-  // Ten fine steps: one would not be seen.
+  // One fine step would be invisible, so ten are used.
   const double step = coarse ? context_.editor.step(true) : 10 * context_.editor.step(false);
   PlacedObstacle next = *selected;
   const auto moved = [&](double place, int by) { return by == 0 ? place : roundTo(place + by * step, step / 1000); };

@@ -1,4 +1,4 @@
-// The mouse on obstacles: placing them, and moving, turning and scaling them by their handles.
+// The mouse tools of obstacles: placing them, and moving, turning and scaling them by their handles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,26 +15,26 @@
 
 namespace footfall::ui {
 
-/// What both tools work with; all of it outlives them.
+/// The objects that both tools use; all of them outlive the tools.
 struct ObstacleContext {
   LevelView& view;
   LevelComposer& composer;
   ObstacleEditor& editor;
-  std::function<void(const QString&)> say;  ///< in the status bar
+  std::function<void(const QString&)> say;  ///< shows a text in the status bar
 };
 
-/// A click selects, handles move, turn and scale, the body moves over the ground; Alt drags a copy, Shift snaps, Esc
-/// takes a drag back; arrows and page keys nudge.
+/// A click selects; handles move, turn and scale; the body moves over the ground. Alt drags a copy, Shift snaps, Esc
+/// cancels a drag, and arrow and page keys move by steps.
 class SelectObstacleTool : public QObject, public ViewTool {
   Q_OBJECT
 
  public:
   explicit SelectObstacleTool(ObstacleContext context, QObject* parent = nullptr);
 
-  /// Moving sideways follows the ground up and down.
+  /// Sets whether sideways movements follow the ground up and down.
   void setSticking(bool on) { sticking_ = on; }
   [[nodiscard]] bool sticking() const { return sticking_; }
-  /// The handles of the selected obstacle, as the view shows them; nothing when none is selected.
+  /// The handles of the selected obstacle, as the view shows them; empty when none is selected.
   [[nodiscard]] std::optional<ObstacleGizmo> gizmo() const;
 
   bool mousePressed(const ViewMouse& mouse) override;
@@ -49,9 +49,9 @@ class SelectObstacleTool : public QObject, public ViewTool {
 
  private:
   struct Hold {
-    std::optional<ObstacleHandle> handle;  ///< none: the body
+    std::optional<ObstacleHandle> handle;  ///< empty: the body
     Ray from;
-    double height = 0;  ///< where the body was taken
+    double height = 0;  ///< height at which the body was taken
     PlacedObstacle start;
   };
 
@@ -68,8 +68,8 @@ class SelectObstacleTool : public QObject, public ViewTool {
   std::optional<Hold> hold_;
 };
 
-/// One click places an obstacle of one metre on the surface under the mouse; pressing and dragging draws its base, and
-/// moving after that its height, which a click ends. Shift snaps; Esc takes back what is begun.
+/// A click places an obstacle of one metre on the surface under the mouse. Pressing and dragging draws its base; the
+/// next movement sets its height, which a click ends. Shift snaps; Esc cancels an unfinished obstacle.
 class PlaceObstacleTool : public QObject, public ViewTool {
   Q_OBJECT
 
@@ -83,11 +83,11 @@ class PlaceObstacleTool : public QObject, public ViewTool {
   void mouseLeft() override;
   void ended() override;
   [[nodiscard]] QString hint() const override;
-  /// What a click would place; nothing beside all surfaces.
+  /// The obstacle that a click would place; empty beside all surfaces.
   [[nodiscard]] const std::optional<PlacedObstacle>& preview() const { return preview_; }
 
  signals:
-  /// `more`: Ctrl was down, the tool is to stay.
+  /// `more` is true when Ctrl was down, which keeps the tool active.
   void placed(bool more);
 
  private:
@@ -106,7 +106,7 @@ class PlaceObstacleTool : public QObject, public ViewTool {
   State state_ = State::Hover;
   QPoint pressed_;
   Vec3 anchor_;
-  bool drawn_ = false;  ///< the mouse has moved so far that it draws a base
+  bool drawn_ = false;  ///< the mouse has moved far enough to draw a base
   std::optional<PlacedObstacle> preview_;
 };
 

@@ -19,8 +19,8 @@ namespace footfall::ui {
 namespace {
 
 const QString kOverlay = QStringLiteral("part");
-constexpr std::chrono::milliseconds kRest{150};  // before blocks are read for where the camera is
-constexpr std::size_t kAtOnce = 8;               // blocks: some 10 ms, and then they are shown
+constexpr std::chrono::milliseconds kRest{150};  // wait before blocks are read for a new camera position
+constexpr std::size_t kAtOnce = 8;               // blocks read at a time, which takes some 10 ms before they are shown
 
 QString millions(std::uint64_t triangles) { return shortText(static_cast<double>(triangles) / 1e6, 3); }
 
@@ -39,7 +39,7 @@ std::vector<BlockInView> blocksOf(const PackedPart& part) {
   return blocks;
 }
 
-// How far the view reaches to its farther sides, at the distance of a place.
+// The distance to the farther sides of the view, at the depth of a place.
 double seenAround(LevelView& view, const Vec3& place) {
   const qglviewer::Camera& camera = *view.camera();
   if (camera.type() == qglviewer::Camera::ORTHOGRAPHIC) {
@@ -100,7 +100,7 @@ void PackedFeature::follow(Reading reading) {
     view_.removeOverlay(kOverlay);
     return;
   }
-  // Blocks at neither of the parts are what they were.
+  // Blocks outside of both parts do not change.
   const bool isSame = before && isSameFile(*before, *part_);
   std::erase_if(loaded_, [&](const auto& entry) {
     return !isSame || touchesPart(*before, entry.first) || touchesPart(*part_, entry.first);
@@ -109,7 +109,7 @@ void PackedFeature::follow(Reading reading) {
   show();
   drawFrame();
   settling_.start();
-  if (reading == Reading::Another || !before) tellOfPart();  // it may have grown since it was opened
+  if (reading == Reading::Another || !before) tellOfPart();  // the file may have grown since it was opened
   if (reading != Reading::OtherPart) return;
   emit placeChanged();
   if (part_->isSmaller)
@@ -178,7 +178,7 @@ void PackedFeature::loadNext() {
       },
       [this](const Blocks& blocks) {
         if (!blocks.damaged.empty() && damaged_.empty())
-          messages_.showErrorOf(MessageSubject::View, blocks.problem);  // once a file
+          messages_.showErrorOf(MessageSubject::View, blocks.problem);  // once for each file
         damaged_.insert(blocks.damaged.begin(), blocks.damaged.end());
         loaded_.insert(blocks.pieces.begin(), blocks.pieces.end());
         show();
@@ -196,7 +196,7 @@ std::set<std::size_t> PackedFeature::loadedBlocks() const {
   return blocks;
 }
 
-// --- In the view
+// --- View
 
 void PackedFeature::show() {
   auto backdrop = std::make_shared<Backdrop>();
@@ -252,7 +252,7 @@ void PackedFeature::say() {
                             millions(environment.faceCount())));
 }
 
-// --- In sessions
+// --- Sessions
 
 std::string PackedFeature::savePlace() const {
   if (!part_) return "{}";
@@ -265,7 +265,7 @@ void PackedFeature::loadPlace(const std::string& text) {
   const nlohmann::json json = nlohmann::json::parse(text);
   if (!json.contains("half")) return;
   const PartPlace place{json.at("x").get<double>(), json.at("y").get<double>(), json.at("half").get<double>()};
-  // The level is still being taken.
+  // The level is not set yet.
   QTimer::singleShot(0, this, [this, place] {
     if (part_ && !(part_->place == place)) file_.showPart(place);
   });

@@ -1,4 +1,4 @@
-// Environments that are too large to be loaded: what the view shows of them, and which part runs go over.
+// Environments that are too large to be loaded: their display, and the part that runs use.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -20,25 +20,25 @@
 
 namespace footfall::ui {
 
-/// Around the part that is the level, the view shows a coarse surface of everything, and in full the blocks that the
-/// camera and the heights look at, which are read in the background and dropped when they are not looked at any more.
+/// Around the part that is the level, the view shows a coarse surface of everything, and the visible blocks in full.
+/// Blocks are read in the background, and dropped when they are out of sight.
 class PackedFeature : public QObject {
   Q_OBJECT
 
  public:
   PackedFeature(const FeatureHost& host, QStatusBar& bar, LevelView& view, LevelFile& file);
 
-  /// Blocks are being read, or it is still to be found which ones are wanted.
+  /// Returns whether blocks are being read or chosen.
   [[nodiscard]] bool busy() const { return part_ && (work_.busy() || settling_.isActive()); }
-  /// Makes what is looked at the part that runs go over.
+  /// Makes the visible place the part that runs use.
   void runHere();
-  /// What is shown, as the status bar says it; empty for environments that are loaded.
+  /// The text of the status bar about the shown part; empty for environments that are loaded whole.
   [[nodiscard]] QString statusText() const { return status_->text(); }
   /// The numbers of the blocks that are shown in full.
   [[nodiscard]] std::set<std::size_t> loadedBlocks() const;
 
  signals:
-  /// Runs go over another part.
+  /// Emitted when runs use another part.
   void placeChanged();
 
  private:
@@ -46,7 +46,7 @@ class PackedFeature : public QObject {
   struct Blocks {
     Pieces pieces;
     std::set<std::size_t> damaged;
-    QString problem;  ///< of one that is damaged
+    QString problem;  ///< problem of a damaged block
   };
 
   void follow(Reading reading);
@@ -57,7 +57,7 @@ class PackedFeature : public QObject {
   void show();
   void drawFrame();
   void say();
-  /// The coarse triangles beside the part, of the blocks that are shown by them.
+  /// The coarse triangles beside the part, for the blocks that are not shown in full.
   [[nodiscard]] std::vector<Backdrop::Range> coarseRanges(const std::function<bool(std::size_t)>& isShown) const;
   [[nodiscard]] std::string savePlace() const;
   void loadPlace(const std::string& text);
@@ -75,7 +75,7 @@ class PackedFeature : public QObject {
   std::vector<std::size_t> wanted_;
   SceneCamera seen_;
   QTimer settling_;  ///< runs until the camera has rested for a moment
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -28,7 +28,7 @@ Box boxOf(const std::array<Vec3, 3>& corners) {
   return boxOf(face);
 }
 
-/// Of all blocks.
+/// The bounds of all blocks.
 Box boundsOf(const PackedEnvironment& environment) {
   constexpr double kMost = std::numeric_limits<double>::max();
   Box bounds{{kMost, kMost, kMost}, {-kMost, -kMost, -kMost}};
@@ -45,7 +45,7 @@ Box boundsOf(const PackedEnvironment& environment) {
 
 double middle(const Box& box, std::size_t axis) { return box.lower[axis] / 2 + box.upper[axis] / 2; }
 
-/// As if the triangles of a block were spread over its box.
+/// The estimate assumes that the triangles of a block are spread evenly over its box.
 double estimatedFaces(const PackedEnvironment& environment, const PartPlace& place) {
   const Box part = boxOf(place);
   double faces = 0;
@@ -62,7 +62,7 @@ double estimatedFaces(const PackedEnvironment& environment, const PartPlace& pla
   return faces;
 }
 
-/// The square at a place that has no more than `most`, by the estimate.
+/// The square at a place that has at most `most` triangles, by the estimate.
 PartPlace fitted(const PackedEnvironment& environment, PartPlace place, std::size_t most) {
   constexpr int kHalvings = 40;
   if (estimatedFaces(environment, place) <= static_cast<double>(most)) return place;
@@ -75,7 +75,7 @@ PartPlace fitted(const PackedEnvironment& environment, PartPlace place, std::siz
   return place;
 }
 
-/// A corner of a triangle of the block that is nearest to the middle of everything.
+/// A corner of a triangle in the block nearest to the middle of everything.
 PartPlace middlePlace(const PackedEnvironment& environment, const Box& bounds) {
   PartPlace place{0, 0, std::max(bounds.upper[0] / 2 - bounds.lower[0] / 2, bounds.upper[1] / 2 - bounds.lower[1] / 2)};
   double nearest = std::numeric_limits<double>::infinity();
@@ -96,8 +96,8 @@ PartPlace middlePlace(const PackedEnvironment& environment, const Box& bounds) {
   return place;
 }
 
-/// The place, or the largest of those around it, each somewhat smaller than the one before, that no more than `most`
-/// faces touch; nothing where all have more. Reads each block once.
+/// The place, or the largest of a series of ever smaller squares around it, that at most `most` faces touch; empty
+/// where all squares have more. Reads each block once.
 std::optional<PartPlace> placeWithin(const PackedEnvironment& environment, const PartPlace& place, std::size_t most,
                                      RunContext& context) {
   constexpr double kSmaller = 0.85;
@@ -106,7 +106,8 @@ std::optional<PartPlace> placeWithin(const PackedEnvironment& environment, const
   for (int i = 0; i < kTries; ++i) tries.push_back({place.x, place.y, tries.back().half * kSmaller});
   std::vector<Box> boxes;
   for (const PartPlace& each : tries) boxes.push_back(boxOf(each));
-  std::vector<std::size_t> lost(tries.size() + 1);  // by each of them: faces that the one before still touches
+  // for each square, the faces that touch the square before it but not this one
+  std::vector<std::size_t> lost(tries.size() + 1);
   for (const std::size_t block : environment.blocksTouching(boxes.front())) {
     context.checkCancelled();
     environment.forFaces(block, [&](const BlockFace& face) {
@@ -130,7 +131,7 @@ PackedFaces facesAt(const PackedEnvironment& environment, const PartPlace& place
       environment.blocksTouching(box), [&](const BlockFace& face) { return touchInPlan(boxOf(face), box); }, &context);
 }
 
-/// Without a coarse surface (files of version 1), the boxes of blocks.
+/// Files of version 1 have no coarse surface, so the boxes of blocks are shown.
 void addBox(BackdropPiece& piece, const Box& box, const Vec3& centre) {
   const auto corner = [&](unsigned i) {
     return Vec3{(i & 1U) != 0 ? box.upper[0] : box.lower[0], (i & 2U) != 0 ? box.upper[1] : box.lower[1],
@@ -144,7 +145,7 @@ void addBox(BackdropPiece& piece, const Box& box, const Vec3& centre) {
   }
 }
 
-/// Some of these reach the farthest.
+/// Some of these boxes reach farthest.
 BackdropPiece boxesOf(const PackedEnvironment& environment, const Vec3& centre) {
   BackdropPiece boxes;
   for (std::size_t b = 0; b < environment.blocks().size(); ++b)
@@ -173,7 +174,7 @@ void makeCoarse(PackedPart& part) {
   part.coarse = std::move(piece);
 }
 
-/// What of the coarse surface stands for something in the part.
+/// Marks the coarse triangles that stand for triangles of the part.
 void markCoarse(PackedPart& part) {
   const PackedEnvironment& environment = *part.environment;
   const Box region = boxOf(part.place);
@@ -230,7 +231,7 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   PackedPart& part = opened.part;
   part.limits = limits;
   const std::size_t most = asked ? limits.part : std::min(limits.first, limits.part);
-  // A place that had no more when a session was saved is taken as it is, whatever the estimate says.
+  // A place of a saved session that had no more triangles than this is used as it is, whatever the estimate.
   constexpr std::size_t kDoubt = 2;
   part.place = asked ? fitted(*environment, *asked, kDoubt * most)
                      : fitted(*environment, middlePlace(*environment, bounds), most);
@@ -248,7 +249,7 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
   opened.environment.vertices = std::move(faces.soup.vertices);
   opened.environment.triangles = std::move(faces.soup.triangles);
   opened.environment.partOf = std::move(faces.partOf);
-  // Exports say what they are of.
+  // Exports name the part.
   opened.environment.origin += " (a part: " + std::to_string(opened.environment.triangles.size()) + " of " +
                                std::to_string(environment->faceCount()) + " triangles)";
   part.environment = std::move(environment);

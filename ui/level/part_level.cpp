@@ -65,7 +65,7 @@ void PartLevel::update() {
   work(nullptr);
 }
 
-// With `base` only its geometry is missing.
+// With `base`, only its geometry is missing.
 void PartLevel::work(EnvironmentPtr base) {
   work_.start(
       *this,

@@ -1,4 +1,4 @@
-// The loaded environment with the roles that its parts have: what obstacles are placed into, and runs compute on.
+// The loaded environment with the roles of its parts, which obstacles are placed into.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace footfall::ui {
 
-/// Other roles, and a file that was read again, are worked in by a background thread, as an edit of the environment
-/// that has results (or of the one before): runs then compute only what differs.
+/// A background thread applies other roles, and a file that was read again, as an edit of the environment that has
+/// results (or of the one before), so that runs compute only the difference.
 class PartLevel : public QObject {
   Q_OBJECT
 
@@ -27,26 +27,27 @@ class PartLevel : public QObject {
 
   explicit PartLevel(QObject* parent = nullptr);
 
-  /// Starts anew (null: nothing is loaded), at once; changed() is emitted only for a geometry() that is made later.
+  /// Sets another environment (null: nothing is loaded), at once; changed() is emitted only for a geometry() that is
+  /// made later.
   void setLoaded(EnvironmentPtr loaded, GeometryPtr geometry, const std::vector<PartRule>& rules);
-  /// The same file, read again. `whole`: what it is a part of, null for all of it.
+  /// Sets the same file, read again. `whole` is the environment that it is a part of, null for all of it.
   void replaceLoaded(EnvironmentPtr loaded, std::shared_ptr<const WholeBounds> whole,
                      const std::vector<PartRule>& rules);
-  /// Does nothing when these are the rules already.
+  /// Has no effect when these are the rules already.
   void setRules(const std::vector<PartRule>& rules);
-  /// A run on base(), or on it with obstacles, has finished.
+  /// Called when a run on base(), or on it with obstacles, has finished.
   void setComputed();
 
-  /// The level with all roles, ignored parts left out. Older than the rules while busy().
+  /// The level with all roles, without ignored parts. It is older than the rules while busy().
   [[nodiscard]] const EnvironmentPtr& base() const { return base_; }
   /// The geometry of base(), around the centre of the first version; that of everything until it is made.
   [[nodiscard]] const GeometryPtr& geometry() const { return geometry_; }
   [[nodiscard]] bool busy() const { return work_.busy(); }
 
  signals:
-  /// base() is another one, and so is geometry().
+  /// Emitted when base() and geometry() are others.
   void changed();
-  /// Comes after changed(), too.
+  /// Follows changed() as well.
   void geometryChanged();
   void failed(const QString& message);
 
@@ -66,7 +67,7 @@ class PartLevel : public QObject {
   std::shared_ptr<const WholeBounds> whole_;
   std::vector<PartRule> rules_;
   std::list<Version> versions_;  ///< most recent first: undo finds its results in the cache
-  LatestWork work_;              // last: its thread ends before the rest goes
+  LatestWork work_;              // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

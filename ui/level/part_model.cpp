@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr quintptr kTopLevel = ~quintptr{0};  // else: the row of the mesh
+constexpr quintptr kTopLevel = ~quintptr{0};  // other values are the row of the mesh
 
 }  // namespace
 

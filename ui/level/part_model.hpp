@@ -14,7 +14,8 @@
 namespace footfall::ui {
 
 /// A mesh with one material is one row; so is a material without a mesh. Rows of meshes with several materials stand
-/// for all of them. The check box leaves out or takes in; what was an obstacle only comes back as one.
+/// for all of them. The check box leaves parts out or includes them; a part that was an obstacle only is included as
+/// one again.
 class PartModel : public QAbstractItemModel {
   Q_OBJECT
 
@@ -32,7 +33,7 @@ class PartModel : public QAbstractItemModel {
   [[nodiscard]] std::vector<std::uint32_t> partsOf(const QModelIndex& index) const;
   /// The row of a part.
   [[nodiscard]] QModelIndex indexOf(std::uint32_t part) const;
-  /// When no rule of the document names it.
+  /// The role of a part that no rule of the document names.
   [[nodiscard]] PartRole usualRoleOf(std::uint32_t part) const;
   [[nodiscard]] PartRole roleOf(std::uint32_t part) const { return roles_[part]; }
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
@@ -48,7 +49,7 @@ class PartModel : public QAbstractItemModel {
   [[nodiscard]] QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
   [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
-  /// Asks for roles; the document answers with setRules().
+  /// Requests roles; the document then calls setRules().
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  signals:
@@ -71,7 +72,7 @@ class PartModel : public QAbstractItemModel {
   std::vector<std::uint64_t> counts_;
   std::vector<PartRole> roles_;
   std::vector<Mesh> meshes_;
-  std::vector<std::array<int, 2>> places_;  ///< for each part its mesh, and its place in it
+  std::vector<std::array<int, 2>> places_;  ///< for each part, its mesh and its place in it
 };
 
 }  // namespace footfall::ui

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kCountWidth = 76, kRoleWidth = 96;
 
-/// Changes as a whole: thousands of rows that come one by one take a tree seconds.
+/// The filter is reset as a whole: adding thousands of rows one by one takes a tree seconds.
 class FilteredParts : public QSortFilterProxyModel {
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
@@ -32,7 +32,7 @@ class FilteredParts : public QSortFilterProxyModel {
     {
       const QSignalBlocker quiet(this);
       QAbstractItemModel* const source = sourceModel();
-      setSourceModel(nullptr);  // forgets its rows; they are mapped anew when they are asked for
+      setSourceModel(nullptr);  // drops the rows, which are mapped again on demand
       setFilterFixedString(text);
       setSourceModel(source);
     }
@@ -47,7 +47,7 @@ PartPanel::PartPanel(Document& document, QWidget* parent) : QWidget(parent), doc
   createWidgets();
   createActions();
   connect(model_, &PartModel::inclusionAsked, this, [this](const std::vector<std::uint32_t>& parts, bool on) {
-    // A box among several selected rows answers for all of them.
+    // A box among several selected rows changes all of them.
     const std::vector<std::uint32_t> selected = selectedParts();
     const bool isSelected = std::ranges::includes(selected, parts);
     include(isSelected ? selected : parts, on);
@@ -90,14 +90,14 @@ void PartPanel::createWidgets() {
   tree_->setObjectName(QStringLiteral("partTree"));
   tree_->setAccessibleName(tr("Meshes and materials"));
   tree_->setModel(proxy_);
-  tree_->setUniformRowHeights(true);  // or thousands of rows are measured one by one
+  tree_->setUniformRowHeights(true);  // otherwise thousands of rows are measured one by one
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setAlternatingRowColors(true);
   tree_->setExpandsOnDoubleClick(false);
   tree_->setTextElideMode(Qt::ElideMiddle);
   tree_->setSortingEnabled(true);
   tree_->header()->setSortIndicatorClearable(true);
-  tree_->sortByColumn(-1, Qt::AscendingOrder);  // as in the file
+  tree_->sortByColumn(-1, Qt::AscendingOrder);  // in the order of the file
   tree_->header()->setStretchLastSection(false);
   tree_->header()->setSectionResizeMode(PartModel::Name, QHeaderView::Stretch);
   tree_->header()->resizeSection(PartModel::Triangles, kCountWidth);
@@ -188,7 +188,7 @@ void PartPanel::keepingSelection(const std::function<void()>& change) {
     if (!selected.contains({model_->part(part).mesh, model_->part(part).material})) continue;
     const QModelIndex row = rowOf(part);
     if (!row.isValid()) continue;
-    // Neighbours together: a selection of thousands of single rows is slow.
+    // Neighbours are selected together, because a selection of thousands of single rows is slow.
     if (!again.isEmpty() && again.back().parent() == row.parent() && again.back().bottom() + 1 == row.row())
       again.back() = QItemSelectionRange(again.back().topLeft(), row);
     else
@@ -225,7 +225,7 @@ void PartPanel::setRole(PartRole role) {
   apply(parts, std::vector<PartRole>(parts.size(), role), text.arg(nameOf(parts)));
 }
 
-// What a box takes in again has the role that it had before a box left it out.
+// A part that a box includes again gets the role that it had before.
 void PartPanel::include(const std::vector<std::uint32_t>& parts, bool on) {
   std::vector<PartRole> roles;
   for (const std::uint32_t part : parts) {

@@ -1,4 +1,4 @@
-// The panel of meshes and materials: what is left out, and what is an obstacle only.
+// The panel of meshes and materials: parts that are left out, and parts that are obstacles only.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,16 +21,16 @@
 
 namespace footfall::ui {
 
-/// Edits the document's part rules; every edit is one entry of the undo stack, whatever it takes in.
+/// Edits the document's part rules; every edit is one entry of the undo stack, however many parts it changes.
 class PartPanel : public QWidget {
   Q_OBJECT
 
  public:
   explicit PartPanel(Document& document, QWidget* parent = nullptr);
 
-  /// Shows an environment as its file gave it; null: none. What is selected, and open, stays by its name.
+  /// Shows an environment as its file gave it; null: none. Rows of the same name stay selected and expanded.
   void setEnvironment(const std::shared_ptr<const Environment>& environment);
-  /// Gives the selected rows a role, one edit.
+  /// Sets the role of the selected rows as one edit.
   void setRole(PartRole role);
 
   [[nodiscard]] std::vector<std::uint32_t> selectedParts() const;
@@ -42,13 +42,13 @@ class PartPanel : public QWidget {
 
  signals:
   void selectionChanged(const std::vector<std::uint32_t>& parts);
-  /// Bring them into sight.
+  /// Emitted when the view should move to parts.
   void activated(const std::vector<std::uint32_t>& parts);
 
  private:
   void createWidgets();
   void createActions();
-  /// Does what resets the tree; what is selected, and open, stays by its name.
+  /// Calls a function that resets the tree; rows of the same name stay selected and expanded.
   void keepingSelection(const std::function<void()>& change);
   void apply(const std::vector<std::uint32_t>& parts, const std::vector<PartRole>& roles, const QString& text);
   void include(const std::vector<std::uint32_t>& parts, bool on);
@@ -62,7 +62,7 @@ class PartPanel : public QWidget {
   QLineEdit* filter_;
   QLabel *figures_, *empty_;
   std::vector<QAction*> roleActions_;
-  std::map<std::pair<std::string, std::string>, PartRole> before_;  ///< of what boxes left out
+  std::map<std::pair<std::string, std::string>, PartRole> before_;  ///< roles of parts that boxes left out
   bool restoring_ = false;
 };
 

@@ -13,7 +13,7 @@
 namespace footfall::ui {
 namespace {
 
-/// For the translations.
+/// The struct is the context of the translations.
 struct ScaleText {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::ScaleText)
 };

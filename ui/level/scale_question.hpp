@@ -1,4 +1,4 @@
-// What to ask about a scale that is a guess.
+// The question about a guessed scale.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,14 +11,14 @@
 namespace footfall::ui {
 
 struct ScaleQuestion {
-  QString text;                 ///< "1 unit = 1 m?", "640 m long: is 1 unit = 1 cm?"
+  QString text;                 ///< such as "1 unit = 1 m?" or "640 m long: is 1 unit = 1 cm?"
   double scale = 1;             ///< metres per unit for "yes"
   std::optional<double> guess;  ///< metres per unit for "no", where `scale` is not the guess itself
 };
 
-/// `size` is the level's in the file's units, its height last. A level that the guess makes larger than a town or
-/// smaller than a table is asked about with the nearest usual unit that does not.
-/// Where the level has risers, doorways or storeys that speak for a unit (findScale()), it is asked about that one.
+/// `size` is the level's in the file's units, its height last. Where the guess makes the level larger than a town or
+/// smaller than a table, the question proposes the nearest usual unit that does not. Where the level has risers,
+/// doorways or storeys that suggest a unit (findScale()), the question proposes that one.
 ScaleQuestion askAboutScale(const Vec3& size, double guessedMetresPerUnit,
                             const std::optional<detail::ScaleEvidence>& evidence = {});
 

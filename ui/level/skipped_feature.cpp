@@ -45,7 +45,7 @@ SkippedFeature::SkippedFeature(const FeatureHost& host, LevelView& view, LevelFi
   connect(dock_->toggleViewAction(), &QAction::toggled, this, [this](bool on) {
     if (!on) view_.removeOverlay(kSkippedOverlay);
   });
-  // While the window goes, its docks still hide, and the view is gone by then.
+  // While the window is destroyed, its docks are hidden when the view no longer exists.
   connect(&host.commands, &QObject::destroyed, this, [this] { dock_->toggleViewAction()->disconnect(this); });
   connect(panel_, &SkippedPanel::frameRequested, this, &SkippedFeature::frame);
   connect(&file_, &LevelFile::opened, this, &SkippedFeature::follow);

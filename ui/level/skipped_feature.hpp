@@ -1,4 +1,4 @@
-// What import left out: a panel, a button that leads to it, and marks in the view.
+// Elements that import left out: a panel, a button that opens it, and marks in the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -21,7 +21,7 @@ class SkippedFeature : public QObject {
   SkippedFeature(const FeatureHost& host, LevelView& view, LevelFile& file, ImportPanel& import);
 
   [[nodiscard]] SkippedPanel& panel() { return *panel_; }
-  /// In the panel of the environment; hidden while nothing was left out.
+  /// The button in the panel of the environment; hidden while nothing was left out.
   [[nodiscard]] QPushButton* showButton() const { return show_; }
 
  private:

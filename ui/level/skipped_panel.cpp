@@ -51,7 +51,7 @@ void SkippedPanel::show(const SkippedElements& skipped, const std::function<QStr
     setCell(table_, row, Reason, coreText(skippedReason(polygon)));
     setCell(table_, row, Place, polygon.corners.empty() ? tr("nowhere") : place(polygon.corners.front()));
   }
-  // The reasons are to be read; for where it is, a click is enough.
+  // The reason gets the width, because a click on the row shows its place.
   table_->resizeColumnToContents(Reason);
   QStringList lines{skipped.polygons == 0
                         ? tr("No polygon of the file was left out.")

@@ -1,4 +1,4 @@
-// The panel "Left out": polygons of the file that are not in the level, with the reasons.
+// The panel "Left out": the polygons of the file that are not in the level, with the reasons.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,14 +17,14 @@ class SkippedPanel : public QWidget {
  public:
   explicit SkippedPanel(QWidget* parent = nullptr);
 
-  /// `place` writes a place of the level.
+  /// `place` formats a place of the level.
   void show(const SkippedElements& skipped, const std::function<QString(const Vec3&)>& place);
 
   [[nodiscard]] QTableWidget* table() const { return table_; }
   [[nodiscard]] QString summary() const { return summary_->text(); }
 
  signals:
-  /// A row of the list was clicked, or Return was pressed on it.
+  /// Emitted when a row of the list is clicked, or Return is pressed on it.
   void frameRequested(int row);
 
  private:

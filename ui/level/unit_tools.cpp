@@ -38,7 +38,7 @@ void addMenu(const FeatureHost& host) {
     command.checkable = true;
     QAction* action =
         host.commands.add(command, [&units = host.units, &sections = host.sections, unit = entry.unit](bool on) {
-          if (!on || units.units().wanted == unit) return;  // checked by a session, not by the user
+          if (!on || units.units().wanted == unit) return;  // a session has checked the action, and not the user
           units.choose(unit);
           emit sections.changed();
         });

@@ -1,4 +1,4 @@
-// The commands that choose the unit of lengths, and what sessions keep of it.
+// The commands that choose the unit of lengths, and its session section.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

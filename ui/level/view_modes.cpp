@@ -17,8 +17,8 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kClearancePieces = 150000;
-constexpr double kUsualClearance = 2;  // metres, where no filter says another
-constexpr double kSteepest = 90;       // degrees
+constexpr double kUsualClearance = 2;  // in metres, where no filter has another one
+constexpr double kSteepest = 90;       // in degrees
 
 // Pieces in the colours of their triangles, and the lines between different ones.
 std::shared_ptr<const NavigationMeshGeometry> makeSourceGeometry(const NavigationMesh& mesh, const Vec3& centre,
@@ -95,7 +95,7 @@ void ViewModes::setMode(ViewMode mode) {
   emit modeChanged(mode_);
 }
 
-// Modes that show a result wait for one; they say so.
+// Modes that show a result are disabled until there is one.
 void ViewModes::enable() {
   const bool level = composer_.level() != nullptr;
   const bool result = controller_.finishedRun() != nullptr;
@@ -120,7 +120,7 @@ std::optional<double> ViewModes::limitOf(FilterType filter) const {
   return std::nullopt;
 }
 
-// Twice what is needed: above that, nobody cares.
+// Twice the needed height; larger heights do not matter.
 double ViewModes::cap() const {
   const std::shared_ptr<const Environment> level = composer_.level();
   const double usual = kUsualClearance / (level && level->metresPerUnit > 0 ? level->metresPerUnit : 1);
@@ -141,7 +141,7 @@ ViewModes::Made ViewModes::wanted() const {
   return wanted;
 }
 
-// Another level: nothing of the old one may be seen with it.
+// Another level was opened: the old modes must not be shown with it.
 void ViewModes::forget() {
   made_ = {};
   view_.setField(nullptr, {});

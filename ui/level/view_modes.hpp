@@ -1,4 +1,4 @@
-// The modes of the view as commands, and what they show, made in the background.
+// The modes of the view as commands, and their geometry, made in the background.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -22,8 +22,8 @@
 
 namespace footfall::ui {
 
-/// Follows the level and its results. A mode that is shown is computed again when they change; the old picture stays
-/// until the new one is there.
+/// Follows the level and its results. The geometry of the present mode is computed again when they change; the old
+/// picture stays until it is ready.
 class ViewModes : public QObject {
   Q_OBJECT
 
@@ -31,17 +31,17 @@ class ViewModes : public QObject {
   ViewModes(const FeatureHost& host, LevelView& view, ViewLayout& layout, const Document& document, LevelFile& file,
             LevelComposer& composer, RunController& controller);
 
-  /// Shown as soon as there is something to show.
+  /// Sets the mode; it is shown as soon as its geometry is ready.
   void setMode(ViewMode mode);
   [[nodiscard]] ViewMode mode() const { return mode_; }
-  /// What the mode shows is that of the level and the result as they are.
+  /// Returns whether the shown geometry belongs to the present level and result.
   [[nodiscard]] bool upToDate() const { return !work_.busy(); }
   /// The box that chooses a mode; the tool bar becomes its owner.
   [[nodiscard]] QComboBox& box() { return *box_; }
 
  signals:
   void modeChanged(footfall::ui::ViewMode mode);
-  /// upToDate() has become true.
+  /// Emitted when upToDate() has become true.
   void ready();
 
  private:
@@ -64,7 +64,7 @@ class ViewModes : public QObject {
   ViewMode mode_ = ViewMode::Result;
   std::array<QAction*, kViewModes.size()> actions_{};
   QComboBox* box_ = nullptr;
-  /// What a picture is made of: level, result, mode and, for free heights, up to what height.
+  /// The input of a picture: level, result, mode and, for free heights, the largest height.
   struct Made {
     std::shared_ptr<const Environment> level;
     std::shared_ptr<const FinishedRun> run;
@@ -80,7 +80,7 @@ class ViewModes : public QObject {
 
   Made made_, making_;
   [[nodiscard]] Made wanted() const;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui
