@@ -28,7 +28,7 @@ void AheadRuns::next() {
   while (!pipelines_.empty() && runs_.peek(keyOf(pipelines_.front()))) pipelines_.erase(pipelines_.begin());
   std::shared_ptr<RunJob> job = pipelines_.empty() ? nullptr : makeJob_(pipelines_.front());
   if (job) {
-    keepStepMeshes(*job);  // for the pictures of what was removed
+    keepStepMeshes(*job);  // the pictures of removed triangles need them
     job_ = job;
     queue_.post([this, job] {
       const auto outcome = std::make_shared<RunOutcome>(compute(*job));
@@ -40,7 +40,7 @@ void AheadRuns::next() {
 }
 
 void AheadRuns::complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome) {
-  if (job != job_) return;  // nobody wants it any more
+  if (job != job_) return;  // the job was replaced
   job_.reset();
   if (outcome.finished) runs_.store(job->key, outcome.finished, outcome.content);
   const bool interrupted = !outcome.finished && outcome.error.isEmpty();

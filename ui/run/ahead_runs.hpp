@@ -1,4 +1,4 @@
-// Results that nobody has asked for yet, computed while the list needs no run.
+// Computes results that may be needed next, while the list needs no run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace footfall::ui {
 
-/// Runs of pipelines, one after the other; their results are in `runs` then. One that fails is left out: it fails
-/// again when it is asked for, and says why.
+/// Runs pipelines one after the other and stores their results in `runs`. A run that fails is left out; it fails again,
+/// with its message, when the user starts it.
 class AheadRuns : public QObject {
   Q_OBJECT
 
@@ -25,15 +25,15 @@ class AheadRuns : public QObject {
   AheadRuns(FinishedRuns& runs, BackgroundQueue& queue, MakeJob makeJob);
   ~AheadRuns() override { interrupt(); }
 
-  /// Replaces what was asked for before; none: stops.
+  /// Replaces the pipelines that are still to run; an empty list stops.
   void ask(std::vector<Pipeline> pipelines);
-  /// Goes on, unless one is under way already.
+  /// Continues, unless a run is under way already.
   void next();
-  /// The one under way ends, and comes again with next().
+  /// Ends the present run; next() starts it again.
   void interrupt();
 
  signals:
-  /// So many of what was asked for are done; both the same at the end.
+  /// Emitted with the number of finished pipelines; both numbers are equal at the end.
   void changed(int done, int all);
 
  private:
@@ -43,7 +43,7 @@ class AheadRuns : public QObject {
   FinishedRuns& runs_;
   BackgroundQueue& queue_;
   MakeJob makeJob_;
-  std::vector<Pipeline> pipelines_;  ///< still to be computed
+  std::vector<Pipeline> pipelines_;  ///< pipelines still to run
   int all_ = 0;
   std::shared_ptr<RunJob> job_;
 };

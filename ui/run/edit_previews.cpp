@@ -57,7 +57,7 @@ void EditPreviews::prepare(const std::shared_ptr<const Environment>& environment
         context->checkCancelled();
         made = makeEditPreview(step, environment, centre, *context);
       } catch (const std::exception&) {
-        return;  // cancelled, or memory ran out: then a run shows the first change
+        return;  // cancelled, or memory ran out: a run then shows the first change
       }
       const auto keep = [this, name, context, made] {
         if (made && context == context_) known_[name] = made;

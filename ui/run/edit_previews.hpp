@@ -1,4 +1,4 @@
-// What can be shown of edits without a run.
+// Previews of edits that need no run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,8 +17,8 @@
 namespace footfall::ui {
 
 /// Previews of edits of the last finished run's steps, prepared in the background once its result is on the screen. A
-/// step is named by the steps before it and its filter. An edit of one step's values stands for most of what somebody
-/// does here while looking at the view.
+/// step is identified by the steps before it and its filter. Edits of one step's values are most of the edits that
+/// users make while they look at the view.
 class EditPreviews : public QObject {
   Q_OBJECT
 
@@ -26,16 +26,15 @@ class EditPreviews : public QObject {
   EditPreviews() = default;
   ~EditPreviews() override { stop(); }
 
-  /// Whether the step has one, by the steps before it.
+  /// Returns whether the step has a preview, identified by the steps before it.
   [[nodiscard]] bool knows(const std::string& prefix, const PipelineStep& step) const;
-  /// What a job changes over the result of an earlier run, where they differ in the values of one step; else
-  /// nothing.
+  /// The changes of a job over the result of an earlier run, where they differ in the values of one step; else none.
   [[nodiscard]] EditPreview::Surfaces changes(const RunJob& job, const Pipeline& earlier) const;
-  /// Another run has finished: what suits its steps is kept, what is missing is for prepare().
+  /// Called when another run has finished. Previews that suit its steps are kept; prepare() makes the missing ones.
   void follow(const RunJob& job, const std::shared_ptr<const NavigationMesh>& result);
-  /// Prepares previews in the background, until stop() is called.
+  /// Prepares previews in the background until stop() is called.
   void prepare(const std::shared_ptr<const Environment>& environment, const Vec3& centre);
-  /// Stops preparing, as a run wants the processors.
+  /// Stops preparing, because a run needs the processors.
   void stop();
   void clear();
 
@@ -43,7 +42,7 @@ class EditPreviews : public QObject {
   std::map<std::string, std::shared_ptr<const EditPreview>> known_;
   std::vector<std::pair<std::string, EditedStep>> missing_;
   std::shared_ptr<RunContext> context_ = std::make_shared<RunContext>();
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

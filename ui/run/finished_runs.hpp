@@ -1,4 +1,4 @@
-// Results that were computed already, ready to be shown: switching back to one costs no run.
+// A cache of finished results: switching back to one of them needs no run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,18 +14,18 @@
 
 namespace footfall::ui {
 
-/// A finished run, complete: what may be exported.
+/// A finished run with all data that exports need.
 struct FinishedRun {
   std::shared_ptr<const Environment> environment;
   Pipeline pipeline;
   RunResult result;
-  CellRanks ranks = {};  ///< that ran the cells
+  CellRanks ranks = {};  ///< ranks that ran the cells
   ProcessorUse processors = {};
 };
 
-/// Finished runs on one environment, by the text of the enabled steps. Bounded by the memory that it counts for meshes
-/// and vertices (what several results share is counted for each); the least recently used goes first, the newest stays
-/// if it fits.
+/// Finished runs on one environment, by the text of the enabled steps. They are bounded by the estimated memory of
+/// meshes and vertices (shared data counts for each result). The least recently used run is dropped first; the newest
+/// stays if it fits.
 class FinishedRuns {
  public:
   static constexpr std::size_t kBytes = std::size_t{512} << 20;
@@ -41,7 +41,7 @@ class FinishedRuns {
   void store(const std::string& key, std::shared_ptr<const FinishedRun> run, const ViewContent& content);
   /// Null when there is none; counts as a use. Valid until the next store() or clear().
   const Entry* find(const std::string& key);
-  /// The same without counting as a use.
+  /// Finds a run without counting it as a use.
   [[nodiscard]] std::shared_ptr<const FinishedRun> peek(const std::string& key) const;
   void clear();
   [[nodiscard]] std::size_t bytes() const { return bytes_; }

@@ -1,4 +1,4 @@
-// Parallel blocks as they were when they ran.
+// The parallel blocks of earlier runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,10 +16,10 @@ namespace footfall::ui {
 /// The figures of a run for its timeline.
 RunFigures figuresOfRun(const RunResult& result, const ProcessorUse& processors);
 
-/// A later run takes blocks from the cache: its cells are those of the run in which they ran.
+/// Keeps the cells of blocks for later runs that take the blocks from the cache.
 class KnownBlocks {
  public:
-  /// A run with these enabled steps has finished; prefixes[i] names the steps before step i.
+  /// Called when a run with these enabled steps has finished; prefixes[i] names the steps before step i.
   void follow(const FinishedRun& run, const std::vector<const PipelineStep*>& steps,
               const std::vector<std::string>& prefixes);
   /// The blocks of that run.
@@ -27,9 +27,9 @@ class KnownBlocks {
   void clear() { known_.clear(); }
 
  private:
-  std::map<std::string, CellBlock> known_;  ///< by the steps so far, Collapse included
-  std::vector<std::string> names_;          ///< of the last finished run's blocks
-  std::shared_ptr<const RunFigures> last_;  ///< of the last finished run that ran a block
+  std::map<std::string, CellBlock> known_;  ///< by the steps up to and including Collapse
+  std::vector<std::string> names_;          ///< names of the last finished run's blocks
+  std::shared_ptr<const RunFigures> last_;  ///< figures of the last finished run that ran a block
   bool ran_ = false;                        ///< the last finished run ran its blocks
 };
 

@@ -24,7 +24,7 @@ void MarginKinds::find() {
     const RunResult& result = outcome.finished->result;
     const std::vector<RemovedShare> shares = removedShares(*job, result);
     const ViewContent& shown = outcome.content;
-    // Where meshes of steps are not known any more, what is shown says more.
+    // Without the meshes of steps, the present content shows more.
     if (shares.size() != shown.removed.size() + (shown.firstRemoval ? 1 : 0)) return shown;
     return makeContent(*job, result, dividedShares(*job, result, shares, context), shown);
   };

@@ -1,4 +1,4 @@
-// Walls and ledges told apart in the margins of a result that is shown already.
+// Divides the margins of a shown result into those of walls and those of ledges.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,30 +10,30 @@
 
 namespace footfall::ui {
 
-/// Finds in the background which of a run's margins are too near a wall, and which too near a ledge: the run itself
-/// shows both as too near a border, and does not wait for that.
+/// Finds in the background which of a run's margins are too near a wall, and which too near a ledge. The run itself
+/// shows both as too near a border, so that it need not wait for this.
 class MarginKinds : public QObject {
   Q_OBJECT
 
  public:
-  /// The margins of another result: its job, and what is shown of it. Ends what is under way; begins nothing.
+  /// Sets the margins of another result: its job, and its shown content. Ends the present work and begins none.
   void setResult(const std::shared_ptr<const RunJob>& job, const RunOutcome& outcome);
   void clear();
-  /// Begins to look, or again after stop(); nothing where all is found or it looks already.
+  /// Begins the work, or continues it after stop(); has no effect where all is found or the work runs.
   void find();
-  /// The processors are wanted for something else.
+  /// Stops the work, because a run needs the processors.
   void stop() { work_.stop(); }
-  /// Not all kinds are known.
+  /// Returns whether some kinds are not known yet.
   [[nodiscard]] bool pending() const { return job_ != nullptr; }
 
  signals:
-  /// The content of the result, with its margins by kind.
+  /// Emitted with the content of the result, its margins divided by kind.
   void found(const footfall::ui::RunOutcome& outcome, const std::string& key);
 
  private:
   std::shared_ptr<const RunJob> job_;  ///< null: there is nothing to find
   RunOutcome outcome_;
-  LatestWork work_;  // last: its thread ends before the rest goes
+  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -9,7 +9,7 @@
 namespace footfall::ui {
 namespace {
 
-/// Faces of the environment, by index.
+/// A set of faces of the environment, by index.
 class FaceSet {
  public:
   void add(const std::vector<std::uint32_t>& faces) {
@@ -42,7 +42,7 @@ Corners cornersOf(const NavigationMesh& mesh, std::size_t triangle) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
 }
 
-// The triangles of a mesh that another one does not have.
+// The triangles of a mesh that another mesh does not have.
 NavigationMesh without(const NavigationMesh& mesh, const NavigationMesh& other) {
   std::unordered_set<Corners, CornersHash> known;
   known.reserve(other.triangles.size());
@@ -58,7 +58,8 @@ NavigationMesh without(const NavigationMesh& mesh, const NavigationMesh& other) 
   return rest;
 }
 
-// The lines stay all: for the moment that this is shown, one too many is less noticed than none.
+// All lines stay, because a surplus line is less noticeable than a missing one during the short time that this is
+// shown.
 ViewContent shownWithout(const ShownResult& shown, const FaceSet& faces) {
   ViewContent content = shown.content;
   const std::vector<SurfaceVertex>& surface = shown.content.walkable.front()->surface;
@@ -78,12 +79,13 @@ ViewContent shownWithout(const ShownResult& shown, const FaceSet& faces) {
   return content;
 }
 
-// Of a floor that a border cuts, a cell has only its part: the rest must stay in sight until its cells are done.
+// The faces inside a cell. A cell has only its part of a floor that a border cuts; the rest must stay visible until its
+// own cells are done.
 std::vector<std::uint32_t> facesInside(const CellBounds& cell, const std::vector<std::uint32_t>& faces,
                                        const Environment& environment) {
   std::vector<std::uint32_t> inside;
   for (const std::uint32_t face : faces) {
-    if (face >= environment.triangles.size()) continue;  // of a later generation
+    if (face >= environment.triangles.size()) continue;  // a face of a later generation
     const Triangle& corners = environment.triangles[face];
     const bool whole = std::ranges::all_of(corners, [&](std::uint32_t corner) {
       const Vec3& p = environment.vertices[corner];

@@ -11,7 +11,7 @@
 
 namespace footfall::ui {
 
-/// Written anew with each result, and in the other unit while the status bar still shows it.
+/// Written anew with each result, and when the unit changes while the status bar still shows it.
 class ResultSummary : public QObject {
   Q_OBJECT
 

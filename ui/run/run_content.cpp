@@ -22,7 +22,7 @@ const RemovalStyle* styleOf(const PipelineStep& step) {
   return style;
 }
 
-/// What a RadiusFilter would leave that kept away from walls only; nothing where the steps up to it are no pipeline.
+/// The result of a RadiusFilter that keeps away from walls only; empty where the steps up to it are no pipeline.
 std::optional<RunResult> keepOffWalls(const RunJob& job, std::size_t step, RunContext& context) {
   Pipeline pipeline;
   for (std::size_t i = 0; i <= step; ++i) pipeline.steps.push_back(*job.steps[i]);
@@ -53,7 +53,8 @@ std::vector<RemovedShare> removedShares(const RunJob& job, const RunResult& resu
   std::vector<RemovedShare> shares;
   for (std::size_t i = 0; i < job.steps.size(); ++i) {
     const RemovalStyle* style = styleOf(*job.steps[i]);
-    if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;  // it removed nothing
+    // the step removed nothing
+    if (!style || result.steps[i].out.area >= result.steps[i].in.area * kSameArea) continue;
     StepMeshes::Mesh before;
     if (!shares.empty()) {
       before = job.stepMeshes->find(job.prefixes[i]);
@@ -108,7 +109,7 @@ ViewContent makeContent(const RunJob& job, const RunResult& result, const std::v
     content.walkable.resize(1);
     content.floorStates = makeFloorStates(*job.environment, *result.mesh, floors, before);
   }
-  // The result, which takes longest, first.
+  // The result comes first, because it takes longest.
   forRanges(before.size() + content.walkable.size(), 1, [&](std::size_t i, std::size_t) {
     if (i < content.walkable.size()) {
       if (!content.walkable[i]) content.walkable[i] = makeMeshGeometry(*result.mesh, job.centre, std::nullopt, layers);

@@ -1,4 +1,4 @@
-// What the view shows of a finished run.
+// Makes the content of the view for a finished run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,28 +8,28 @@
 
 namespace footfall::ui {
 
-/// What was walkable before some of it was removed for one reason.
+/// The walkable area before a part of it was removed for one reason.
 struct RemovedShare {
   const RemovalStyle* style = nullptr;
   StepMeshes::Mesh before;  ///< null: the environment's own floors
-  std::size_t step = 0;     ///< the enabled step that removed it
+  std::size_t step = 0;     ///< enabled step that removed it
 };
 
-/// What each step has removed, in the order of the steps; what a RadiusFilter has removed is one share. Steps whose
-/// meshes are not known any more are left out.
+/// The removals of each step, in the order of the steps; those of a RadiusFilter are one share. Steps whose meshes are
+/// no longer known are left out.
 std::vector<RemovedShare> removedShares(const RunJob& job, const RunResult& result);
 
-/// Whether a share has walls and ledges that a run can tell apart: of a RadiusFilter behind a clearance, which keeps
-/// away from both.
+/// Returns whether the walls and ledges of a share can be separated by a run: it must be that of a RadiusFilter behind
+/// a clearance, with distances to both.
 bool isDivisible(const RunJob& job, const RemovedShare& share);
 
-/// The shares with what is too near a wall and what is too near a ledge apart; a place that is too near both is too
-/// near a wall, as in answers to why. Runs each RadiusFilter again, away from walls only, so it may take as long as the
-/// run itself. Throws Cancelled.
+/// Divides shares into places too near a wall and places too near a ledge; a place too near both counts as too near a
+/// wall, as in explanations of "why". Each RadiusFilter runs again with walls only, so this may take as long as the run
+/// itself. Throws Cancelled.
 std::vector<RemovedShare> dividedShares(const RunJob& job, const RunResult& result,
                                         const std::vector<RemovedShare>& shares, RunContext& context);
 
-/// Makes what the view shows. What `known` has of the same meshes is reused.
+/// Makes the content of the view. Geometry in `known` of the same meshes is reused.
 ViewContent makeContent(const RunJob& job, const RunResult& result, const std::vector<RemovedShare>& shares,
                         const ViewContent& known = {});
 

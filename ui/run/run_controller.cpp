@@ -7,7 +7,7 @@
 namespace footfall::ui {
 namespace {
 
-// Runs that take no longer follow every edit, and every step of a drag: people see no wait.
+// Runs up to this time follow every edit, and every step of a drag, because nobody notices the wait.
 constexpr double kLiveMs = 150;
 
 }  // namespace
@@ -31,7 +31,7 @@ RunController::~RunController() {
   ahead_.interrupt();
 }
 
-// --- What there is to run, and when
+// --- Inputs, and when to run
 
 void RunController::setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre) {
   stopJob(false);
@@ -47,12 +47,12 @@ void RunController::setEnvironment(std::shared_ptr<const Environment> environmen
   start(Start::Asked);
 }
 
-// The errors that a list has are those of its rows, before any run.
+// The rows have the list's errors before any run.
 void RunController::listProblems() {
   statuses_.setFilters(inputs_.filters(), inputs_.skipped(), inputs_.findInvalidStep());
 }
 
-// What is known of single steps by their filters belongs to one environment.
+// Data of single steps belong to one environment.
 void RunController::forgetSteps() {
   editPreviews_.clear();
   margins_.clear();
@@ -89,7 +89,7 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   followUp_ = !sameAsRunning && letsFinish();
   if (followUp_) {
     listProblems();
-    // What the list as it is would change, before any run of it.
+    // Shows the known changes of the present list before it runs.
     if (display_.hasResult()) display_.showChanges(makeEditJob()->changes);
     return;
   }
@@ -98,7 +98,7 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   listProblems();
   const bool shown = finished_ && finished_->environment == environment() && finishedKey_ == key;
   const bool starting = environment() && !sameAsRunning && !shown;
-  // A run tells the statuses when it takes a while, and at its end: to repaint the rows twice costs it time.
+  // Short runs update the statuses only at their end, because repainting the rows twice would slow them down.
   if (!starting || !sameRows) emit statusChanged();
   if (starting && automatic_) {
     start(overtakes ? Start::Overtaking : Start::Edited);
@@ -111,8 +111,8 @@ void RunController::setFilters(const std::vector<FilterEntry>& filters) {
   }
   if (!environment() || sameAsRunning) return;
   display_.restore();
-  schedule_.awaitFrame();  // for what was stopped of its explanation
-  emit finished();         // the list is back where the result is
+  schedule_.awaitFrame();  // the explanation that was stopped continues
+  emit finished();         // the list has returned to the result
 }
 
 void RunController::setThreads(int threads) {
@@ -133,7 +133,7 @@ void RunController::setAutomatic(bool on) {
 void RunController::setDragging(bool dragging) {
   dragging_ = dragging;
   if (dragging) return;
-  schedule_.endSettling();  // nothing follows
+  schedule_.endSettling();  // no edit follows
   if (!job_) schedule_.awaitFrame();
 }
 
@@ -156,7 +156,7 @@ void RunController::cancel() {
 
 void RunController::stopJob(bool cancelled) {
   if (!job_) return;
-  job_->context->cancel();  // it ends by itself, soon; nobody waits
+  job_->context->cancel();  // the run ends soon by itself; nothing waits for it
   schedule_.drop();
   follower_.leave();
   followUp_ = false;
@@ -168,7 +168,7 @@ bool RunController::letsFinish() const {
   return dragging_ && automatic_ && job_ && !settling() && forecast_.expectedTime(*job_) <= kLiveMs;
 }
 
-// Behind the frame that shows a result. While a value is dragged, another one follows at once.
+// Explanations begin after the frame that shows the result. During a drag, another result follows at once.
 void RunController::explainResult() {
   if (job_ || !environment()) return;
   editPreviews_.prepare(environment(), inputs_.centre());
@@ -184,7 +184,7 @@ void RunController::nextAhead() {
   if (!job_ && environment()) ahead_.next();
 }
 
-// --- What is known
+// --- Results
 
 bool RunController::upToDate() const {
   return finished_ && !busy() && finished_->environment == environment() && finishedKey_ == inputs_.key();
@@ -201,7 +201,7 @@ std::shared_ptr<const FinishedRun> RunController::finishedRunOf(const Pipeline& 
 
 // --- A run
 
-// A run of the list, beside the last finished one.
+// Makes a run of the list, compared with the last finished one.
 std::shared_ptr<RunJob> RunController::makeEditJob() const {
   std::shared_ptr<RunJob> job = inputs_.makeListJob();
   job->follows = display_.hasResult();
@@ -232,7 +232,8 @@ void RunController::start(Start why) {
   job_ = job;
   statuses_.begin(*job);
   follower_.follow(job);
-  // The work begins now; what is connected may edit or cancel, and not in the middle of the edit that led here.
+  // The work begins now. The signal is sent later, because its receivers may edit or cancel, which must not happen
+  // inside the present edit.
   QMetaObject::invokeMethod(
       this,
       [this, job] {
@@ -247,7 +248,7 @@ void RunController::start(Start why) {
   schedule_.plan(follows && forecast_.expectedTime(*job) > kLiveMs ? RunSchedule::Begin::WhenEditsStop
                  : job->changes.empty()                            ? RunSchedule::Begin::AtOnce
                                                                    : RunSchedule::Begin::BehindFrame);
-  if (!job->changes.empty()) display_.showChanges(job->changes);  // last: what is connected may cancel
+  if (!job->changes.empty()) display_.showChanges(job->changes);  // last, because receivers may cancel
 }
 
 void RunController::work() {
@@ -261,8 +262,8 @@ void RunController::work() {
 
 void RunController::complete(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome) {
   if (job != job_) return;  // cancelled or overtaken
-  follower_.fetchLast();    // the last events may have come after the timer
-  if (job != job_) return;  // what is connected to them has cancelled
+  follower_.fetchLast();    // the last events may have arrived after the timer
+  if (job != job_) return;  // their receivers have cancelled
   follower_.leave();
   job_.reset();
   if (!outcome.finished) return fail(outcome.error);
@@ -288,7 +289,7 @@ void RunController::fail(const QString& error) {
   nextAhead();
 }
 
-// `known`: it comes from an earlier run.
+// `known` is true for a result of an earlier run.
 void RunController::showFinished(const std::shared_ptr<RunJob>& job, const RunOutcome& outcome, bool known) {
   finished_ = outcome.finished;
   finishedKey_ = job->key;
@@ -299,7 +300,7 @@ void RunController::showFinished(const std::shared_ptr<RunJob>& job, const RunOu
   display_.setResult(*job, outcome);
   margins_.setResult(job, outcome);
   emit statusChanged();
-  if (job->environment == environment()) {  // of a level that is there no more, there are no previews
+  if (job->environment == environment()) {  // a level that was replaced has no previews
     editPreviews_.follow(*job, result.mesh);
     schedule_.awaitFrame();
   }
@@ -307,7 +308,7 @@ void RunController::showFinished(const std::shared_ptr<RunJob>& job, const RunOu
   emit finished();
 }
 
-// A result that is still there is shown at once.
+// Shows a cached result at once.
 bool RunController::showKnown(const std::shared_ptr<RunJob>& job) {
   const FinishedRuns::Entry* entry = runs_.find(job->key);
   if (!entry) return false;

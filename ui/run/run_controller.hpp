@@ -30,14 +30,18 @@
 
 namespace footfall::ui {
 
-/// Lives on the window's thread and never waits there. Every change cancels the run under way and starts another; a
-/// change that leaves the same enabled steps, or goes back to a result that is still known (FinishedRuns), starts none.
-/// Where runs take long, one that follows others closely waits until no more come (settle); while a value is dragged
-/// and runs are quick, the run under way ends first, so that results follow the mouse. Switched to manual, changes wait
-/// for runNow(). What can be told of an edit without a run is told at once, and the run then begins after the frame
-/// that shows it (frameShown()), as both want the same processors. What only explains a result (previews of edits,
-/// which margins are of walls and which of ledges) is found behind the frame that shows it. Signals come on the
-/// window's thread, at most about ten times a second once it has shown something.
+/// Lives on the window's thread and never waits there.
+///
+/// Every change cancels the present run and starts another. A change that leaves the same enabled steps, or returns to
+/// a cached result (FinishedRuns), starts none. Where runs take long, a run after frequent edits waits until they stop
+/// (settle). While a value is dragged and runs are quick, the present run ends first, so that results follow the mouse.
+/// In manual mode, changes wait for runNow().
+///
+/// Changes that are known without a run are shown at once. The run then begins after the frame that shows them
+/// (frameShown()), because both need the same processors. Data that only explains a result (previews of edits, margins
+/// of walls and of ledges) is computed after the frame that shows the result.
+///
+/// Signals are emitted on the window's thread, at most about ten times a second once a run has shown something.
 class RunController : public QObject {
   Q_OBJECT
 
@@ -47,73 +51,73 @@ class RunController : public QObject {
 
   /// Sets another environment (null: nothing to run on) and drops all results.
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
-  /// The same level with something changed (an edit of the one before, so that runs take over what they can): the last
-  /// result stays in sight until the next one is there.
+  /// Sets the same level with a change (an edit of the one before, so that runs can reuse states). The last result
+  /// stays visible until the next one is ready.
   void editEnvironment(std::shared_ptr<const Environment> environment);
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return inputs_.environment(); }
   void setFilters(const std::vector<FilterEntry>& filters);
   /// Starts at once, even when nothing has changed (results of steps are still taken from the cache).
   void runNow();
   void cancel();
-  /// So many threads at most compute a run from now on (0: as many as the machine has). A result that was computed with
-  /// another number is computed again, as its threads and cells are not the same.
+  /// Sets the largest number of threads of later runs (0: all of the machine). A result with another number is computed
+  /// again, because its threads and cells differ.
   void setThreads(int threads);
-  /// The same of where the cells of parallel blocks are run.
+  /// Sets where the cells of parallel blocks run; results of another place are computed again.
   void setPlace(const RunPlace& place);
-  /// Off: edits wait for runNow(); opening an environment runs once all the same. On: what is out of date runs.
+  /// Off: edits wait for runNow(), but opening an environment runs once. On: an outdated result is computed.
   void setAutomatic(bool on);
   [[nodiscard]] bool automatic() const { return automatic_; }
-  /// The mouse holds a value, or has let it go.
+  /// Called when the drag of a value begins or ends.
   void setDragging(bool dragging);
-  /// Estimated time until the run under way has finished, from earlier times of the same steps and from their progress;
-  /// nothing without a run, or with nothing to go by; milliseconds::max() when a step takes far longer than expected.
+  /// Estimated time until the present run has finished, from earlier times of the same steps and from their progress.
+  /// Empty without a run, or without a basis; milliseconds::max() when a step takes far longer than expected.
   [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const { return follower_.remaining(); }
-  /// Computes these one after the other, while no run of the list is under way: finishedRunOf() has them then, and a
-  /// change to one of them shows it at once. Replaces what was asked for before; none: stops.
+  /// Computes these pipelines one after the other, while no run of the list is under way. finishedRunOf() then has
+  /// their results, and a change to one of them shows it at once. Replaces the earlier pipelines; an empty list stops.
   void runAhead(std::vector<Pipeline> pipelines) { ahead_.ask(std::move(pipelines)); }
-  /// A result that is still known; null otherwise.
+  /// A cached result; null otherwise.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRunOf(const Pipeline& pipeline) const;
   [[nodiscard]] const FinishedRuns& finishedRuns() const { return runs_; }
-  /// To be called when the view has shown a frame.
+  /// Called when the view has shown a frame.
   void frameShown() { schedule_.frameShown(); }
-  /// What the view needs to draw everything: pictures of what a run has so far come the more seldom for it.
+  /// Sets the time that the view needs to draw everything; intermediate pictures of a run become rarer with it.
   void setPictureTime(double ms) { display_.setPictureTime(ms); }
 
   [[nodiscard]] StepStatus status(int id) const { return statuses_.find(id); }
-  /// A run is under way.
+  /// Returns whether a run is under way.
   [[nodiscard]] bool busy() const { return job_ != nullptr; }
-  /// A run waits until edits stop.
+  /// Returns whether a run waits until edits stop.
   [[nodiscard]] bool settling() const { return schedule_.settling(); }
-  /// What is shown of the last result tells borders, but not yet walls from ledges.
+  /// Returns whether the shown margins are not yet divided into those of walls and those of ledges.
   [[nodiscard]] bool seeksMarginKinds() const { return margins_.pending(); }
   /// The last finished run; null when there is none. It may be older than the filter list.
   [[nodiscard]] std::shared_ptr<const FinishedRun> finishedRun() const { return finished_; }
   /// The states of recent runs on this environment and its edits; for stepStates() of finishedRun(), on any thread.
   [[nodiscard]] std::shared_ptr<ResultCache> cache() const { return inputs_.cache(); }
-  /// Whether an edit of a filter's values would be shown before the run: it is prepared after each run.
+  /// Returns whether an edit of a filter's values has a preview; previews are prepared after each run.
   [[nodiscard]] bool previews(int id) const;
-  /// Whether finishedRun() belongs to the filter list as it is.
+  /// Returns whether finishedRun() belongs to the present filter list.
   [[nodiscard]] bool upToDate() const;
 
  signals:
   void statusChanged();
-  /// A run is under way; not emitted for a run that was overtaken in the same moment.
+  /// Emitted when a run begins; not for a run that was overtaken in the same moment.
   void started();
-  /// `fraction` of the whole run; `text` names the step. Only of runs that take a while.
+  /// `fraction` is that of the whole run; `text` names the step. Emitted only for runs that take a while.
   void progressed(double fraction, const QString& text);
   void contentReady(const footfall::ui::ViewContent& content);
-  /// Cells of the run under way as they are made and finish, then those of the last finished run. Blocks that it took
-  /// from the cache come as they were when they ran.
+  /// Emitted with the cells of the present run as they are made and finish, then with those of the last finished run.
+  /// Blocks from the cache have the figures of the run that computed them.
   void cellsChanged(const footfall::ui::CellBlocks& blocks);
   void finished();
   void failed(const QString& message);
   void cancelled();
   void automaticChanged(bool on);
-  /// So many of the pipelines given to runAhead() are done; both the same at the end.
+  /// Emitted with the number of finished pipelines of runAhead(); both numbers are equal at the end.
   void aheadChanged(int done, int all);
 
  private:
-  enum class Start { Asked, Edited, Overtaking };  ///< the last: by an edit while a run was under way
+  enum class Start { Asked, Edited, Overtaking };  ///< Overtaking: started by an edit while a run was under way
 
   void start(Start why);
   [[nodiscard]] std::shared_ptr<RunJob> makeEditJob() const;
@@ -143,11 +147,11 @@ class RunController : public QObject {
   FinishedRuns runs_;
   bool automatic_ = true;
   bool dragging_ = false;
-  bool followUp_ = false;  ///< the list has changed while the run under way was let to finish
+  bool followUp_ = false;  ///< the list has changed while the present run was allowed to finish
   EditPreviews editPreviews_;
   MarginKinds margins_;
   AheadRuns ahead_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -7,11 +7,12 @@
 namespace footfall::ui {
 namespace {
 
-// What a run shows first, it shows at once; then not more often than this: drawing takes time from computing.
+// The first picture of a run is shown at once, and later ones at this interval, because drawing takes processor time
+// from the run.
 constexpr auto kPicturePeriod = std::chrono::milliseconds(150);
-// So many times what drawing takes lie between two pictures at least.
+// The least time between two pictures, as a multiple of the time to draw one.
 constexpr double kPictureShare = 12;
-// The same where the change itself is on the screen already: pieces tell little more, and their frames are long ones.
+// The least interval where the change itself is on the screen already: pieces add little, and their frames take long.
 constexpr auto kDetailPeriod = std::chrono::milliseconds(1000);
 
 CellBlock soFar(const RunEventBuffer::Block& events) {
@@ -45,7 +46,7 @@ void RunDisplay::show() {
   showKnownCells();
 }
 
-// While something else is shown, the next result takes its place anyway.
+// While other content is shown, the next result replaces it anyway.
 void RunDisplay::setContent(const ViewContent& content) {
   shown_.content = content;
   if (!provisional_) emitResult();
@@ -56,7 +57,7 @@ void RunDisplay::restore() {
   showKnownCells();
 }
 
-// Of a copy: what is connected may lead to another result.
+// A copy is emitted, because receivers may cause another result.
 void RunDisplay::emitResult() {
   const ViewContent content = shown_.content;
   emit contentReady(content);
@@ -97,11 +98,11 @@ bool RunDisplay::pictureIsDue(const RunJob& job) const {
   return RunEventBuffer::Clock::now() - lastPicture_.value_or(job.begun) > period;
 }
 
-// The last step that has something to show.
+// Shows the last step that has content.
 void RunDisplay::showParts(RunJob& job, const std::vector<RunEventBuffer::Step>& steps) {
   const std::size_t changed = job.firstChanged;
   if (job.changes.empty() && changed < steps.size() && steps[changed].finished) job.changes = job.changesOfStep;
-  if (!job.sameEnvironment || !pictureIsDue(job)) return;  // pieces are put in by numbers of triangles
+  if (!job.sameEnvironment || !pictureIsDue(job)) return;  // pieces are identified by numbers of triangles
   for (std::size_t i = steps.size(); i-- > 0;) {
     const bool pieces = !steps[i].parts.empty();
     if (!pieces && !(hasResult() ? steps[i].whole.mesh != nullptr : steps[i].whole.geometry != nullptr)) continue;
@@ -109,7 +110,7 @@ void RunDisplay::showParts(RunJob& job, const std::vector<RunEventBuffer::Step>&
     if (shownStep_ == i && shownParts_ == parts) return;
     shownStep_ = i;
     shownParts_ = parts;
-    // In front of an earlier result, only what changes it is worth showing, and that once.
+    // Over an earlier result, only its changes are shown, and only once.
     if (!pieces && hasResult() && (job.changes.empty() || lastPicture_)) return;
     lastPicture_ = RunEventBuffer::Clock::now();
     provisional_ = true;
@@ -118,8 +119,8 @@ void RunDisplay::showParts(RunJob& job, const std::vector<RunEventBuffer::Step>&
   }
 }
 
-// In front of the last finished run where there is one, its pieces and what has changed; else its pieces or its whole
-// result alone.
+// The content over the last finished run where there is one, with the pieces and changes of the present run; else the
+// pieces or the whole result of the present run alone.
 ViewContent RunDisplay::contentOf(const RunJob& job, const RunEventBuffer::Step& step) const {
   const bool pieces = !step.parts.empty();
   ViewContent content = shown_.content;

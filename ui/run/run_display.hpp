@@ -1,5 +1,5 @@
-// What the view shows of runs: the last finished result, changed where the run under way already has pieces of the
-// next.
+// The content of the view during runs: the last finished result, with the pieces of the next one that the present run
+// has computed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,35 +14,36 @@
 
 namespace footfall::ui {
 
-/// What is connected to a signal may cancel the run that it is about: callers check whether it is still there.
+/// Receivers of a signal may cancel its run; callers check afterwards whether the run still exists.
 class RunDisplay : public QObject {
   Q_OBJECT
 
  public:
-  /// There is no result.
+  /// Drops the result.
   void clear();
   /// Keeps the result of a finished run; show() emits the signals.
   void setResult(const RunJob& job, const RunOutcome& outcome);
-  /// The same result, of which more is known.
+  /// Sets more complete content of the same result.
   void setContent(const ViewContent& content);
-  /// The last result and its cells.
+  /// Shows the last result and its cells.
   void show();
-  /// The same in place of what a run that did not finish has shown; nothing where it has shown nothing.
+  /// Shows the last result again after an unfinished run; has no effect where that run has shown nothing.
   void restore();
   /// Blocks of other filters or of another environment are not shown again.
   void forgetBlocks() { knownBlocks_.clear(); }
 
   [[nodiscard]] bool hasResult() const { return shown_.mesh != nullptr; }
   [[nodiscard]] std::shared_ptr<const NavigationMesh> result() const { return shown_.mesh; }
-  /// A run begins. `changesShown`: what it changes is on the screen.
+  /// Called when a run begins. `changesShown`: its changes are on the screen.
   void begin(bool changesShown);
-  /// Over the last result: what an edit changes, as far as that is known before its run.
+  /// Shows the known changes of an edit over the last result, before its run.
   void showChanges(const EditPreview::Surfaces& changes);
-  /// Whether the first event of the run under way will give something to show.
+  /// Returns whether the first event of the present run will change the picture.
   [[nodiscard]] bool waitsForPicture() const { return hasResult() && !lastPicture_; }
-  /// The cells of the run under way, where something about them is new.
+  /// Shows the cells of the present run, when they have changed.
   void showCells(const std::vector<RunEventBuffer::Block>& blocks);
-  /// What the run has so far, where the last picture is old enough for what the view needs to draw one.
+  /// Shows the intermediate result of a run, when the last picture is old enough for the time that the view needs to
+  /// draw one.
   void showParts(RunJob& job, const std::vector<RunEventBuffer::Step>& steps);
   void setPictureTime(double ms) { pictureMs_ = ms; }
 
@@ -56,12 +57,12 @@ class RunDisplay : public QObject {
   void emitResult();
   void showKnownCells();
 
-  ShownResult shown_;         ///< of the last finished run; no mesh when there is none
-  bool provisional_ = false;  ///< the view shows something else, of a run that has not finished
+  ShownResult shown_;         ///< last finished run; it has no mesh when there is none
+  bool provisional_ = false;  ///< the view shows content of an unfinished run
   KnownBlocks knownBlocks_;
-  bool cellsShown_ = false;  ///< there is something to take back
+  bool cellsShown_ = false;  ///< cells of an unfinished run are shown
   double pictureMs_ = 0;
-  // Of the run under way.
+  // State of the present run.
   std::optional<std::size_t> shownStep_;
   std::size_t shownParts_ = 0;
   std::optional<RunEventBuffer::Clock::time_point> lastPicture_;

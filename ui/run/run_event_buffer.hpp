@@ -1,4 +1,4 @@
-// Keeps the events that the threads of a run publish until the window fetches them.
+// Stores the events of a run's threads until the window fetches them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@
 
 namespace footfall::ui {
 
-/// Thread-safe. However fast events come, the owner is called once and then not again before it has fetched.
+/// Thread-safe. However fast events arrive, the owner is notified once, and again only after it has fetched.
 class RunEventBuffer {
  public:
   using Clock = std::chrono::steady_clock;
@@ -25,15 +25,15 @@ class RunEventBuffer {
   struct Part {
     std::shared_ptr<const NavigationMesh> mesh;
     std::shared_ptr<const NavigationMeshGeometry>
-        geometry;                    ///< of the mesh, where the thread that published it has made it
-    std::optional<CellBounds> cell;  ///< that it is the part of, when it is one's
+        geometry;                    ///< geometry of the mesh, where the publishing thread has made it
+    std::optional<CellBounds> cell;  ///< cell that the part belongs to, if any
   };
   struct Step {
     bool finished = false;
     Clock::time_point started, ended;
     double fraction = 0;
-    Part whole;               ///< its result; empty for cached steps
-    std::vector<Part> parts;  ///< pieces, while it runs
+    Part whole;               ///< result of the step; empty for cached steps
+    std::vector<Part> parts;  ///< intermediate pieces
   };
 
   struct Block {
@@ -42,11 +42,11 @@ class RunEventBuffer {
     CellRanks ranks = {};
   };
 
-  /// `notify` is called from the threads of the run and must be quick and thread-safe.
+  /// The threads of the run call `notify`, which must be quick and thread-safe.
   explicit RunEventBuffer(std::function<void()> notify) : notify_(std::move(notify)) {}
 
   void add(const RunEvent& event, std::shared_ptr<const NavigationMeshGeometry> geometry = nullptr);
-  /// Who runs the cells from now on.
+  /// Sets the ranks that run the cells from now on.
   void setRanks(CellRanks ranks);
   /// All steps so far, in order; the last one may be running.
   std::vector<Step> fetch();

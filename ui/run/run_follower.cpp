@@ -11,9 +11,10 @@ namespace footfall::ui {
 namespace {
 
 constexpr auto kFetchPeriod = std::chrono::milliseconds(100);  // between two updates of the window
-constexpr auto kLongPeriod = std::chrono::milliseconds(250);   // the same, of runs that have taken a second
-constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // the same, before there is anything to see of a run
-// What takes less is over before anybody has read how far it is, and each repaint of the window takes time from it.
+constexpr auto kLongPeriod = std::chrono::milliseconds(250);   // interval for runs that have taken a second
+constexpr auto kWatchPeriod = std::chrono::milliseconds(10);   // interval before a run has anything to show
+// Shorter runs show no progress: they end before anybody has read it, and each repaint of the window takes time from
+// them.
 constexpr auto kProgressAfter = std::chrono::milliseconds(150);
 
 }  // namespace
@@ -70,7 +71,7 @@ void RunFollower::takeStatuses(const std::vector<RunEventBuffer::Step>& steps,
       continue;
     }
     const BlockPlace place = placeInBlock(i, steps, blocks);
-    if (place.waits) continue;  // as it was
+    if (place.waits) continue;  // the state does not change
     const double fraction = place.block ? place.fraction : step.fraction;
     statuses_.run(i, fraction);
     forecast_.take(*job_, i, step, place.block, fraction, fetched_);

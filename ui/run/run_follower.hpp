@@ -1,4 +1,4 @@
-// What the run under way says of itself, for the list and the view.
+// Follows the present run, for the list and the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,26 +17,26 @@
 
 namespace footfall::ui {
 
-/// Fetches the events of a run, at most about ten times a second once it has shown something, into the statuses of its
-/// steps, the forecast and the display. What is connected to its signals may end the run.
+/// Fetches the events of a run, at most about ten times a second once it has shown something, and updates the statuses
+/// of its steps, the forecast and the display. Receivers of its signals may end the run.
 class RunFollower : public QObject {
   Q_OBJECT
 
  public:
   RunFollower(StepStatuses& statuses, RunForecast& forecast, RunDisplay& display);
 
-  /// A run begins; gives the job its buffer of events.
+  /// Begins to follow a run; sets the job's buffer of events.
   void follow(const std::shared_ptr<RunJob>& job);
-  /// The run is not followed any more.
+  /// Ends following the run.
   void leave() { job_.reset(); }
-  /// Fetches what the run said last; it has ended.
+  /// Fetches the last events of a run that has ended.
   void fetchLast();
-  /// Estimated time until the run has ended; as RunForecast::remaining().
+  /// Estimated time until the run has ended; see RunForecast::remaining().
   [[nodiscard]] std::optional<std::chrono::milliseconds> remaining() const;
 
  signals:
   void statusChanged();
-  /// `fraction` of the whole run; `text` names the step. Only of runs that take a while.
+  /// `fraction` is that of the whole run; `text` names the step. Emitted only for runs that take a while.
   void progressed(double fraction, const QString& text);
 
  private:

@@ -18,7 +18,7 @@ void RunForecast::clear() {
 
 std::optional<double> RunForecast::expectedOf(const RunJob& job, std::size_t step) const {
   if (const auto known = steps_.find(job.prefixes[step + 1])) return known;
-  return step < job.ids.size() ? statuses_.find(job.ids[step]).wallMs : std::nullopt;  // with other values
+  return step < job.ids.size() ? statuses_.find(job.ids[step]).wallMs : std::nullopt;  // time with other values
 }
 
 double RunForecast::expectedTime(const RunJob& job) const {

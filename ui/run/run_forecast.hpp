@@ -1,4 +1,4 @@
-// How long a run takes, from earlier times of the same steps and from its progress.
+// Estimates the time of a run from earlier times of the same steps and from its progress.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,17 +17,18 @@ class RunForecast {
 
   explicit RunForecast(const StepStatuses& statuses) : statuses_(statuses) {}
 
-  /// Takes the times of a finished run.
+  /// Stores the times of a finished run.
   void remember(const RunJob& job, const RunResult& result);
-  /// What steps took belongs to another environment.
+  /// Times of steps belong to one environment.
   void forgetSteps() { steps_.clear(); }
   void clear();
-  /// The time of what is not in the cache: the steps from the first change on; milliseconds.
+  /// The expected time of steps that are not in the cache, from the first change on, in milliseconds.
   [[nodiscard]] double expectedTime(const RunJob& job) const;
-  /// A step of the job under way, as it was told at `now`. `inBlock`: filters of a block share the time of their cells.
+  /// Sets the state of a step of the present job at the time `now`. `inBlock`: filters of a block share the time of
+  /// their cells.
   void take(RunJob& job, std::size_t step, const RunEventBuffer::Step& events, bool inBlock, double fraction,
             Clock::time_point now) const;
-  /// Until the job has finished, which was last told of at `told`; nothing where there is nothing to go by;
+  /// The time until the job has finished, whose last state is of the time `told`. Empty without a basis;
   /// milliseconds::max() when a step takes far longer than expected.
   [[nodiscard]] static std::optional<std::chrono::milliseconds> remaining(const RunJob& job, Clock::time_point told);
 

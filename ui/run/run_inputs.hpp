@@ -1,4 +1,4 @@
-// What runs compute: the level, the list of filters, and what earlier runs left for later ones.
+// The inputs of runs: the level, the list of filters, and the caches of earlier runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,21 +18,21 @@ namespace footfall::ui {
 
 /// A step that the runner would refuse before it begins.
 struct InvalidStep {
-  int id = 0;  ///< of its FilterEntry
+  int id = 0;  ///< id of its FilterEntry
   QString place, message;
 };
 
 class RunInputs {
  public:
-  /// Another environment, or none: nothing that earlier runs left belongs to it.
+  /// Sets another environment, or none, and drops the caches of earlier runs.
   void setEnvironment(std::shared_ptr<const Environment> environment, const Vec3& centre);
-  /// The same with something changed: states of steps serve runs on it, meshes of steps do not.
+  /// Sets the same environment with a change: cached states of steps remain valid, cached meshes do not.
   void editEnvironment(std::shared_ptr<const Environment> environment);
   void setFilters(const std::vector<FilterEntry>& filters) { filters_ = filters; }
-  /// So many threads at most; 0: as many as the machine has. False when that is so already. States that were computed
-  /// with another number are forgotten: their threads and cells are not the same.
+  /// Sets the largest number of threads; 0: all of the machine. Returns false when it does not change. States with
+  /// another number are dropped, because their threads and cells differ.
   bool setThreads(int threads);
-  /// Where the cells of the list's runs are run; likewise.
+  /// Sets where the cells of the list's runs are run; states of another place are dropped.
   bool setPlace(const RunPlace& place);
 
   [[nodiscard]] const std::shared_ptr<const Environment>& environment() const { return environment_; }
@@ -43,18 +43,18 @@ class RunInputs {
   [[nodiscard]] Pipeline pipeline() const;
   /// Ids of the enabled filters that are left out because no Vertical clearance filter runs before them.
   [[nodiscard]] std::set<int> skipped() const;
-  /// The enabled steps of the list.
+  /// The enabled steps of the list, as a key.
   [[nodiscard]] std::string key() const { return keyOf(pipeline()); }
-  /// The steps before a filter of the list, and the filter; nothing for one that is switched off.
+  /// A filter of the list and the steps before it; empty for a disabled filter.
   struct PlacedStep {
     std::string prefix;
     const PipelineStep& step;
   };
   [[nodiscard]] std::optional<PlacedStep> find(int id) const;
 
-  /// A run of any pipeline.
+  /// Makes a run of any pipeline.
   [[nodiscard]] std::shared_ptr<RunJob> makeJob(const Pipeline& pipeline) const;
-  /// A run of the list; its steps have their ids.
+  /// Makes a run of the list; its steps have their ids.
   [[nodiscard]] std::shared_ptr<RunJob> makeListJob() const;
   [[nodiscard]] std::optional<InvalidStep> findInvalidStep() const;
 
@@ -64,7 +64,7 @@ class RunInputs {
   std::vector<FilterEntry> filters_;
   int threads_ = 0;
   RunPlace place_;
-  // Replaced and not cleared: a run that is still ending keeps the old ones.
+  // The object is replaced and not cleared, because a run that is still ending keeps the old one.
   std::shared_ptr<StepMeshes> stepMeshes_ = std::make_shared<StepMeshes>();
   std::shared_ptr<ResultCache> cache_ = std::make_shared<ResultCache>();
 };

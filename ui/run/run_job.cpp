@@ -20,7 +20,8 @@
 namespace footfall::ui {
 namespace {
 
-// A folder of a network tells up to a minute late what others have written (NFS: acregmax, acdirmax).
+// The time after which files of other machines must be visible: a network folder shows them up to a minute late (NFS:
+// acregmax, acdirmax).
 constexpr double kFarPatienceMs = 90000;
 // mpirun may wait for ever for a process that died while it was started.
 constexpr double kStartMs = 60000;
@@ -30,22 +31,22 @@ void keepMesh(RunJob& job, const RunEvent& event) {
     job.stepMeshes->store(job.prefixes[event.step + 1], event.part);
 }
 
-// A folder for one run: of other machines, one that all of them see.
+// A folder for one run; for runs on other machines, one that all of them share.
 std::string jobFolder(const RunPlace& place) {
   const bool isHere = place.kind == RunPlace::Kind::Processes || place.folder.empty();
   const QString in = isHere ? QDir::tempPath() : QString::fromStdString(place.folder);
   return (in + QStringLiteral("/footfall-") + QUuid::createUuid().toString(QUuid::Id128).left(12)).toStdString();
 }
 
-// Other processes run the cells, and this one what is before and behind them. Where the cache has all blocks, nobody is
-// started; else the processes begin with the first of them, also where the cache has it.
+// Runs the cells in other processes, and the other steps in this one. Where the cache has all blocks, no process is
+// started; otherwise the processes begin with the first block, even if the cache has it.
 void runElsewhere(RunJob& job, FinishedRun& finished) {
   FolderExchange::Options options;
   options.folder = jobFolder(job.place);
   options.threads = job.threads > 0 ? job.threads : processorCount();
   const bool isHere = job.place.kind == RunPlace::Kind::Processes;
   if (!isHere) options.patienceMs = kFarPatienceMs;
-  if (job.place.kind != RunPlace::Kind::Slurm) options.startMs = kStartMs;  // its queue takes what it takes
+  if (job.place.kind != RunPlace::Kind::Slurm) options.startMs = kStartMs;  // the wait in Slurm's queue is not limited
   const int threadsOfEach = isHere ? std::max(1, options.threads / job.place.processes) : 0;
   options.work = [&job, threadsOfEach](const std::string& folder, Poll poll) {
     writeJob(folder, *job.environment, formatPipeline(job.pipeline));
@@ -119,7 +120,7 @@ void listenTo(RunJob& job, std::function<void()> notify) {
           if (event.step == job.firstChanged && job.changes.empty() && job.changedBefore && style)
             job.changesOfStep = changedTriangles(*job.changedBefore, *event.part, style->paint, job.centre);
         }
-        // Pictures are made here and not on the window's thread, which would wait for them.
+        // Geometry is made on this thread, so that the window's thread need not wait for it.
         std::shared_ptr<const NavigationMeshGeometry> geometry;
         const bool piece = event.kind == RunEvent::Kind::PartReady || event.kind == RunEvent::Kind::CellFinished;
         if (event.part && piece) geometry = makeMeshGeometry(*event.part, job.centre);

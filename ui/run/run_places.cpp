@@ -32,7 +32,7 @@ bool mayStartUnasked(const RunPlace& place) {
 
 int processesIn(const Json& json) {
   const Json count = json.value("processes", Json(2));
-  // A number beyond 64 bits is none of integers, and one beyond 63 is negative here.
+  // A number beyond 64 bits is not an integer in JSON, and one beyond 63 bits is negative here.
   const std::int64_t processes = count.is_number_integer() ? count.get<std::int64_t>() : 0;
   if (processes < 1 || processes > kMostProcesses)
     throw InputError(FOOTFALL_TEXT("run_on: %1 processes; give 1 to %2"), count.dump(), kMostProcesses);
@@ -133,7 +133,8 @@ void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::f
     QAction* action = commands.add(command, [](bool) {});
     action->setData(static_cast<int>(kind));
     group->addAction(action);
-    // Not by its being checked: a choice that is made again can be changed. Until there is an answer, all is as it was.
+    // The action is connected to triggered(), and not to toggled(), so that the present choice can be changed by
+    // choosing it again. Nothing changes until the dialog is accepted.
     QObject::connect(action, &QAction::triggered, &places, [&places, ask, show, kind = kind, asks] {
       if (asks)
         ask(kind);

@@ -1,4 +1,4 @@
-// Where runs are computed: what was chosen, for the session to keep.
+// The chosen place to run, which sessions save.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,7 @@ namespace footfall::ui {
 
 class CommandRegistry;
 
-/// Results do not depend on it. This program at first.
+/// Results do not depend on the place. It is this program at first.
 class RunPlaces : public QObject {
   Q_OBJECT
 
@@ -24,19 +24,19 @@ class RunPlaces : public QObject {
 
   [[nodiscard]] const RunPlace& chosen() const { return chosen_; }
   void choose(const RunPlace& place);
-  /// What a session was run on and nobody has chosen here yet: opening a file neither starts work on other machines nor
-  /// more processes than this one has processors.
+  /// The place of a session that the user has not chosen yet. Opening a file starts neither work on other machines nor
+  /// more processes than this machine has processors.
   [[nodiscard]] const std::optional<RunPlace>& suggested() const { return suggested_; }
-  /// Another level is there, which comes with no session: what was chosen here stays.
+  /// Called when a level without a session is opened; a choice of the user stays.
   void forgetSuggestion();
 
-  /// As JSON, the suggestion where there is one. load() of an empty text is this program; it throws InputError with
-  /// what is wrong.
+  /// The place as JSON, preferably the suggestion. load() of an empty text chooses this program; it throws InputError
+  /// for an invalid text.
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 
  signals:
-  /// The choice or the suggestion.
+  /// Emitted when the choice or the suggestion changed.
   void changed();
 
  private:
@@ -46,15 +46,15 @@ class RunPlaces : public QObject {
   std::optional<RunPlace> suggested_;
 };
 
-/// What can be chosen from: "This program", "Processes of this machine", ...
+/// The name of a choice: "This program", "Processes of this machine", ...
 QString placeText(RunPlace::Kind kind);
-/// What was chosen, in a few words: "4 processes here".
+/// The chosen place in a few words: "4 processes here".
 QString placeText(const RunPlace& place);
 
-/// What starts the processes of runs: beside the editor, or in PATH.
+/// The program that starts the processes of runs: beside the editor, or in PATH.
 RunPrograms runPrograms();
 
-/// The submenu Run on in the menu Pipeline. `ask` lets the user choose the rest where there is something to choose.
+/// Adds the submenu Run on to the menu Pipeline. `ask` opens a dialog for the other settings of a place that has some.
 void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::function<void(RunPlace::Kind)>& ask);
 
 }  // namespace footfall::ui

@@ -7,7 +7,7 @@
 namespace footfall::ui {
 namespace {
 
-// In [0, 1], by cost; a cell of no cost is work as well.
+// The share of the cells' cost that is done, in [0, 1]; a cell without cost counts as well.
 double shareDone(const RunEventBuffer::Block& block) {
   double done = 0;
   double all = 0;
@@ -29,7 +29,7 @@ BlockPlace placeInBlock(std::size_t step, const std::vector<RunEventBuffer::Step
     const auto finished = std::ranges::count_if(block.cells, [](const auto& cell) { return cell != nullptr; });
     const auto all = static_cast<std::ptrdiff_t>(block.cells.size());
     BlockPlace place{true, step == made.lastStep && finished < all, shareDone(block), {}};
-    // Progress within cells is told of the block's last filter, for all.
+    // The progress of cells is reported for the block's last filter only.
     if (made.lastStep - 1 < steps.size()) place.fraction = std::max(place.fraction, steps[made.lastStep - 1].fraction);
     if (step == made.firstStep) place.fraction = 1;
     if (step == made.lastStep) place.fraction = 0;

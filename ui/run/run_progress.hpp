@@ -1,4 +1,4 @@
-// How far a run is, from the events of its threads.
+// The progress of a run, from the events of its threads.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace footfall::ui {
 
-/// A step as part of a parallel block, whose filters run at the same time, one cell after the other; Collapse begins
-/// when all have ended.
+/// A step as part of a parallel block. The block's filters run at the same time, one cell after the other; Collapse
+/// begins when all have ended.
 struct BlockPlace {
-  bool block = false;  ///< the step is one of a block that runs
-  bool waits = false;  ///< for the cells
+  bool block = false;  ///< the step belongs to a running block
+  bool waits = false;  ///< the step waits for the cells
   double fraction = 0;
   QString text;
 };

@@ -6,7 +6,7 @@
 namespace footfall::ui {
 namespace {
 
-// So long after the last edit a slow run begins, where edits follow each other; about the pause between two keys.
+// A slow run begins this long after the last of several edits; about the pause between two keys.
 constexpr auto kSettle = std::chrono::milliseconds(300);
 constexpr auto kFrameWait = std::chrono::milliseconds(60);
 

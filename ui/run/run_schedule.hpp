@@ -1,4 +1,4 @@
-// When the work of a run begins.
+// Decides when a run begins.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// Runs begin at once, when no more edits come, or behind the frame that shows what is known of the edit: both want the
-/// same processors. One run at a time is planned.
+/// A run begins at once, when edits stop, or after the frame that shows the known changes of the edit, because both
+/// need the same processors. One run is planned at a time.
 class RunSchedule : public QObject {
   Q_OBJECT
 
@@ -17,23 +17,23 @@ class RunSchedule : public QObject {
   enum class Begin { AtOnce, WhenEditsStop, BehindFrame };
 
   RunSchedule();
-  /// Replaces what was planned before. due() comes from here for a run that begins at once.
+  /// Plans a run and replaces the earlier plan. due() is emitted inside this call for a run that begins at once.
   void plan(Begin when);
-  /// The planned run is not to begin any more.
+  /// Drops the planned run.
   void drop();
-  /// A run waits until edits stop.
+  /// Returns whether a run waits until edits stop.
   [[nodiscard]] bool settling() const { return planned_ == Begin::WhenEditsStop; }
-  /// No edits follow: a run that waits for their end begins.
+  /// Starts a run that waits until edits stop, because none follow.
   void endSettling();
-  /// A frame is to come, planned for or not: framePassed() comes when it has been shown, or after a while (a hidden
-  /// view shows none).
+  /// Waits for a frame, with or without a plan: framePassed() is emitted when it has been shown, or after a while (a
+  /// hidden view shows none).
   void awaitFrame();
   void frameShown();
 
  signals:
-  /// The planned run is to begin.
+  /// Emitted when the planned run should begin.
   void due();
-  /// A frame has been shown and no run waited for it.
+  /// Emitted when a frame has been shown and no run has waited for it.
   void framePassed();
 
  private:
@@ -41,7 +41,7 @@ class RunSchedule : public QObject {
 
   std::optional<Begin> planned_;
   QTimer settleTimer_;
-  QTimer frameTimer_;  ///< ends waiting for a frame that does not come
+  QTimer frameTimer_;  ///< ends the wait for a frame that is not shown
 };
 
 }  // namespace footfall::ui

@@ -13,7 +13,7 @@ namespace footfall::ui {
 namespace {
 
 const auto kSetting = QStringLiteral("threads");
-constexpr int kAllListed = 8;  // of more processors, powers of two are enough
+constexpr int kAllListed = 8;  // powers of two suffice for more processors
 
 }  // namespace
 

@@ -1,4 +1,4 @@
-// How many threads runs may use: a setting of this machine's user.
+// The number of threads of runs, a user setting on this machine.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,22 +9,22 @@ namespace footfall::ui {
 
 class CommandRegistry;
 
-/// How many threads this machine runs at the same time.
+/// The number of threads that this machine runs at the same time.
 int processorCount();
 
-/// The numbers of threads to choose from, increasing: some below that of the processors, and that one itself.
+/// The numbers of threads to choose from, ascending: some below the number of processors, and that number itself.
 std::vector<int> threadChoices(int processors);
 
-/// What was chosen is kept in the settings. Results do not depend on it.
+/// The choice is kept in the settings. Results do not depend on it.
 class RunThreads : public QObject {
   Q_OBJECT
 
  public:
   explicit RunThreads(QObject* parent = nullptr);
 
-  /// 0: as many as there are processors.
+  /// The chosen number; 0: that of the processors.
   [[nodiscard]] int chosen() const { return chosen_; }
-  /// How many threads runs get.
+  /// The number of threads that runs use.
   [[nodiscard]] int count() const { return chosen_ > 0 ? chosen_ : processorCount(); }
   void choose(int threads);
 
@@ -35,10 +35,10 @@ class RunThreads : public QObject {
   int chosen_ = 0;
 };
 
-/// "All 8 threads", "3 threads"; 0 stands for all.
+/// The text of a number: "All 8 threads", "3 threads"; 0 stands for all.
 QString threadsText(int threads);
 
-/// The submenu Threads in the menu Pipeline.
+/// Adds the submenu Threads to the menu Pipeline.
 void addThreadCommands(CommandRegistry& commands, RunThreads& threads);
 
 }  // namespace footfall::ui

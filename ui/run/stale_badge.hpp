@@ -1,4 +1,4 @@
-// A mark in the view while it shows something older than the filter list.
+// A mark in the view while its content is older than the filter list.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@
 
 namespace footfall::ui {
 
-/// Stands at the top of `view`, in the middle. Hidden while a run is under way, which will mend what is stale.
+/// Stands at the top of `view`, in the middle. Hidden during runs, which update the content.
 class StaleBadge : public QFrame {
   Q_OBJECT
 

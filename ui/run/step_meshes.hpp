@@ -1,4 +1,4 @@
-// Results of single steps for display.
+// Meshes of single steps, for display.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,7 +15,8 @@
 
 namespace footfall::ui {
 
-/// Beside the states in the cache, by the steps so far. Thread-safe; the least recently used goes first.
+/// Stores meshes beside the cached states, by the steps so far. Thread-safe; the least recently used mesh is dropped
+/// first.
 class StepMeshes {
  public:
   using Mesh = std::shared_ptr<const NavigationMesh>;
@@ -31,7 +32,7 @@ class StepMeshes {
       entries_.pop_back();
     }
   }
-  /// Null when it is not known.
+  /// Returns null when the mesh is not known.
   Mesh find(const std::string& prefix) {
     const std::scoped_lock lock(mutex_);
     for (auto it = entries_.begin(); it != entries_.end(); ++it) {
@@ -43,8 +44,8 @@ class StepMeshes {
   }
 
  private:
-  static constexpr std::size_t kEntries = 32;       // as many as ResultCache keeps states
-  static constexpr std::size_t kLeastEntries = 12;  // a run of a usual pipeline
+  static constexpr std::size_t kEntries = 32;       // the number of states that ResultCache keeps
+  static constexpr std::size_t kLeastEntries = 12;  // enough for a run of a typical pipeline
   static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
   std::mutex mutex_;
   std::list<std::pair<std::string, Mesh>> entries_;

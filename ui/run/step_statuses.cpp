@@ -105,7 +105,7 @@ void StepStatuses::fail(const QString& error) {
   }
   for (StepStatus* status : stopped) status->state = StepState::Cancelled;
   if (error.isEmpty()) return;
-  // Between two steps, the next one could not begin.
+  // The run ended between two steps, before the next one began.
   for (std::size_t i = 0; stopped.empty() && i < attempt_->ids.size(); ++i) {
     StepStatus& status = attempt_->steps[attempt_->ids[i]].status;
     if (status.state != StepState::Done || i + 1 == attempt_->ids.size()) stopped.push_back(&status);

@@ -1,4 +1,4 @@
-// How long steps took.
+// The times of steps in earlier runs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace footfall::ui {
 
-/// In milliseconds, by the steps so far.
+/// Times in milliseconds, by the steps so far.
 class StepTimes {
  public:
-  /// Takes the times of a finished run; prefixes[i] names the steps before step i.
+  /// Stores the times of a finished run; prefixes[i] names the steps before step i.
   void remember(const std::vector<StepStatistics>& steps, const std::vector<std::string>& prefixes) {
     if (times_.size() > kKnownTimes) times_.clear();
     for (std::size_t i = 0; i < steps.size() && i + 1 < prefixes.size(); ++i) times_[prefixes[i + 1]] = steps[i].wallMs;
@@ -27,7 +27,7 @@ class StepTimes {
   void clear() { times_.clear(); }
 
  private:
-  static constexpr std::size_t kKnownTimes = 1000;  // more are of values that nobody comes back to
+  static constexpr std::size_t kKnownTimes = 1000;  // older entries are of values that nobody returns to
   std::map<std::string, double> times_;
 };
 

@@ -1,4 +1,4 @@
-// Where the time of a pipeline goes, step by step.
+// The shares of a pipeline's steps in its time.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,22 +12,23 @@
 namespace footfall::ui {
 
 struct TimeShare {
-  int id = 0;  ///< of the FilterEntry
+  int id = 0;  ///< id of the FilterEntry
   QString label;
-  double ms = 0;     ///< when the step was last computed
-  double share = 0;  ///< of all steps, in [0, 1]
+  double ms = 0;     ///< time when the step was last computed
+  double share = 0;  ///< share of all steps' time, in [0, 1]
 };
 
 struct TimeShares {
-  std::vector<TimeShare> steps;  ///< in the order of the list; those that are on and have been computed
-  double totalMs = 0;            ///< what a run without the cache takes
+  std::vector<TimeShare> steps;  ///< in the order of the list; enabled steps that have been computed
+  double totalMs = 0;            ///< time of a run without the cache
 };
 
-/// Filters in a parallel block have their share of the time that the cells took.
+/// Filters in a parallel block have their share of the cells' time.
 TimeShares timeShares(const std::vector<FilterEntry>& filters, const std::function<StepStatus(int)>& statusOf);
-/// Null for steps without a time.
+/// The share of a step; null for steps without a time.
 const TimeShare* shareOf(const TimeShares& shares, int id);
-/// "82 ms: Vertical clearance 61 %, Layer subdivision 12 %, ...", the longest first; empty without times.
+/// A summary, the longest steps first: "82 ms: Vertical clearance 61 %, Layer subdivision 12 %, ..."; empty without
+/// times.
 QString timeSummary(const TimeShares& shares);
 
 }  // namespace footfall::ui

@@ -13,7 +13,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr int kBarHeight = 8;
-constexpr int kGap = 3;  // between the words and the bar
+constexpr int kGap = 3;  // between the text and the bar
 
 QColor trough(const QPalette& palette) {
   QColor colour = palette.color(QPalette::WindowText);
@@ -44,7 +44,7 @@ void ShareBar::paintEvent(QPaintEvent*) {
   if (!share_) return;
   QPainter painter(this);
   painter.fillRect(rect(), trough(palette()));
-  // A step that took time at all is seen to have done so.
+  // A step with any time has a visible bar.
   painter.fillRect(QRectF(0, 0, std::max(1.0, width() * *share_), height()), colour_);
 }
 

@@ -1,4 +1,4 @@
-// Bars of where time goes: one in each row of the filter list, and a summary above it.
+// Bars of the steps' time: one in each row of the filter list, and a summary above it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@ namespace footfall::ui {
 /// The colour of the step `index` of TimeShares, in rows and in the summary.
 QColor timeColour(std::size_t index);
 
-/// A thin line whose filled part is a step's share; takes no room without one.
+/// A thin line whose filled part is a step's share; it takes no room without a share.
 class ShareBar : public QWidget {
   Q_OBJECT
 
@@ -30,7 +30,7 @@ class ShareBar : public QWidget {
   QColor colour_;
 };
 
-/// All steps in one bar, with the longest in words above it.
+/// All steps in one bar, with the names of the longest above it.
 class TimeStrip : public QWidget {
   Q_OBJECT
 
