@@ -4,7 +4,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kAfterMs = 200;  // people see no wait before that
+constexpr int kAfterMs = 200;  // nobody notices a shorter wait
 
 }  // namespace
 
@@ -27,7 +27,7 @@ DrawingNote::DrawingNote(RunController& controller, LevelView& view, StatusLine&
   });
 }
 
-// Only a frame that began after the content came can show it.
+// Only a frame that began after the content was set can show it.
 void DrawingNote::look() {
   if (!since_ || view_.lastFrameBegun() < *since_ || !view_.isWhole()) return;
   since_.reset();

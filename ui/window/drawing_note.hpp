@@ -1,4 +1,4 @@
-// Says in the status line that the picture is older than the counts beside it.
+// Shows in the status line that the picture is older than the counts beside it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,15 +13,15 @@
 
 namespace footfall::ui {
 
-/// A large result takes a while to draw, and the view shows what it showed before until then. Pictures that come at
-/// once are not announced.
+/// A large result takes a while to draw, and the view shows the previous content until then. Nothing is shown for quick
+/// pictures.
 class DrawingNote : public QObject {
   Q_OBJECT
 
  public:
   DrawingNote(RunController& controller, LevelView& view, StatusLine& status, QObject* parent);
 
-  /// The view does not show all of the last result yet.
+  /// Returns whether the view does not show all of the last result yet.
   [[nodiscard]] bool pending() const { return since_.has_value(); }
 
  private:

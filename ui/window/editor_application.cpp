@@ -29,16 +29,16 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kSettleMs = 100;  // for the layout, before the picture is taken
+constexpr int kSettleMs = 100;  // time for the layout, before the picture is taken
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
   return value ? value : "";
 }
 
-// A connection to the X server, as a question whether one answers. libxcb is loaded because Qt's plug-in needs it as
-// well; without it Qt decides. To be kept until Qt has its own: a server without clients begins anew, and may turn the
-// next one away meanwhile.
+// A connection to the X server, which tests whether a server responds. libxcb is loaded because Qt's plug-in needs it
+// as well; without it Qt decides. The connection is kept until Qt has its own, because a server without clients
+// restarts and may refuse the next client meanwhile.
 class DisplayProbe {
  public:
   DisplayProbe() {
@@ -67,7 +67,7 @@ class DisplayProbe {
   bool m_answers = true;
 };
 
-// See findDisplayProblem(); `probe` is filled where a server had to be asked.
+// See findDisplayProblem(); `probe` is set where a server had to be tested.
 std::string displayProblem(std::unique_ptr<DisplayProbe>& probe) {
   if (!variable("QT_QPA_PLATFORM").empty() && variable("QT_QPA_PLATFORM").rfind("xcb", 0) != 0) return {};
   if (!variable("WAYLAND_DISPLAY").empty() && variable("QT_QPA_PLATFORM").empty()) return {};
@@ -88,7 +88,7 @@ int fail(int code, const QString& message) {
 }
 
 int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
-  // Only pictures: a slip of the hand must not replace a level.
+  // Only picture files are accepted, so that a typing error cannot replace a level.
   const QString target = QFile::decodeName(options.screenshot.c_str());
   if (!target.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
     return fail(2, QStringLiteral("%1: --screenshot writes .png files; give a name that ends so").arg(target));
@@ -113,10 +113,10 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
   });
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
     if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
-    // A session's part of a large environment comes after the first one, and blocks after either.
+    // A session's part of a large environment is loaded after the first one, and blocks after either.
     if (window.file().busy() || window.controller().busy() || window.packed().busy()) return;
     settle.stop();
-    // A session has a view of its own.
+    // A session has a camera position of its own.
     if (options.top) window.view().cameraController().viewFromTop();
     if (!options.top && !window.openedSession()) window.view().cameraController().viewOblique();
     const QString why = window.writer().refusal(target, WrittenKind::Export);
@@ -124,9 +124,9 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
       finish(fail(2, why));
       return;
     }
-    // Nobody can close them in a picture.
+    // Hints cannot be closed in a picture.
     for (ViewHint* hint : window.findChildren<ViewHint*>()) hint->hide();
-    window.view().grabFramebuffer();  // what follows finds all of it drawn
+    window.view().grabFramebuffer();  // the next frames find all of it drawn
     QSaveFile file(target);
     const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
     finish(written ? 0
@@ -168,7 +168,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   const std::string problem = displayProblem(probe);
   if (!problem.empty()) return fail(2, QString::fromStdString(problem));
   requestOpenGl();
-  // Pictures are the same for everybody.
+  // Pictures do not depend on the user's settings.
   if (options.screenshot.empty()) applyInterfaceScale();
   GuardedApplication application(argc, argv);
   probe.reset();
@@ -197,13 +197,13 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
   if (!shooting && options.environment.empty()) window.offerRestoring();
   if (!options.environment.empty()) {
     const QString path = QFile::decodeName(options.environment.c_str());
-    // Opening takes messages away.
+    // Opening removes messages.
     if (!shooting) {
       const auto offer = [&window, path] { window.offerRestoring(path); };
       QObject::connect(&window.file(), &LevelFile::opened, &window, offer, Qt::SingleShotConnection);
       QObject::connect(&window, &EditorWindow::loadFailed, &window, offer, Qt::SingleShotConnection);
     }
-    // After the loop has begun, so that a problem can end it.
+    // The call runs inside the event loop, so that a problem can end it.
     QMetaObject::invokeMethod(
         &window,
         [&window, &options, path, shooting] {

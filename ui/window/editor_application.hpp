@@ -1,4 +1,4 @@
-// The editor as a program: everything after the command line has been read.
+// The editor as a program, after the command line has been parsed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,25 +19,25 @@ struct EditorOptions {
   std::optional<Pipeline> pipeline;
   ImportOptions import;
   std::string screenshot;            ///< a PNG to write instead of waiting for a user; empty: none
-  QSize size;                        ///< of the window; empty: as it was last
-  bool top = false;                  ///< look straight down
-  std::optional<ViewMode> mode;      ///< of the view; empty: as the session says
-  std::optional<CellsShown> cells;   ///< what to show of parallel blocks; empty: as the session says
-  std::optional<ThemeChoice> theme;  ///< for this time; empty: as the user chose
-  std::string language;              ///< for this time, as a code such as "de"; empty: as the user chose
+  QSize size;                        ///< size of the window; empty: its last size
+  bool top = false;                  ///< camera straight down
+  std::optional<ViewMode> mode;      ///< mode of the view; empty: that of the session
+  std::optional<CellsShown> cells;   ///< where cells of parallel blocks are shown; empty: as in the session
+  std::optional<ThemeChoice> theme;  ///< theme of this start; empty: the user's choice
+  std::string language;              ///< language of this start, as a code such as "de"; empty: the user's choice
 };
 
-/// Runs the editor until its window is closed, or until the screenshot is written. Returns the exit code: 0 done, 1
-/// the run failed, 2 usage or input. Problems are one line on standard error.
+/// Runs the editor until its window is closed, or until the screenshot is written. Returns the exit code: 0 done, 1 the
+/// run failed, 2 usage or input. A problem is one line on standard error.
 int runEditor(int& argc, char** argv, const EditorOptions& options);
 
-/// Why no window can be opened here, in one line; empty when one can. Qt itself would abort.
+/// The reason why no window can be opened, in one line; empty when one can. Qt itself would abort.
 std::string findDisplayProblem();
 
-/// Names, colours and style sheet of the program; tests call it too. Needs a QApplication.
+/// Sets names, colours and style sheet of the program; tests call it too. Needs a QApplication.
 void prepareApplication();
 
-/// Asks OpenGL for what the view needs; before QApplication is made.
+/// Requests the OpenGL features that the view needs; called before QApplication is made.
 void requestOpenGl();
 
 }  // namespace footfall::ui

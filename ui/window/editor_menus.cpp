@@ -1,4 +1,4 @@
-// The window's menus and what its tool bar has of them.
+// The window's menus, and their commands in the tool bar.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QClipboard>
 #include <QDockWidget>
@@ -14,7 +14,8 @@
 namespace footfall::ui {
 namespace {
 
-// Long menus in parts, by the groups of commands; that of the pipeline has its parts behind its first commands.
+// Divides long menus into submenus, by the groups of commands; the menu of the pipeline has its submenus after its
+// first commands.
 void addSubmenus(CommandRegistry& commands) {
   const auto in = [](auto... groups) { return QStringList{QString::fromLatin1(groups)...}; };
   commands.addSubmenu(CommandMenu::Tools, EditorWindow::tr("&Agents"), in("agents"));
@@ -114,7 +115,7 @@ void EditorWindow::createEditActions() {
                                   {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)},
                                   QStringLiteral("redo")});
   for (const auto& [action, text] : {std::pair{undo, tr("Undo")}, std::pair{redo, tr("Redo")}}) {
-    // The actions rename themselves after the edit; the tool bar's width must not change with them.
+    // The actions change their texts after each edit; the tool bar's width must not change with them.
     auto* button = new QToolButton(&bars_->main());
     button->setDefaultAction(action);
     button->setFocusPolicy(Qt::TabFocus);

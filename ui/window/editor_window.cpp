@@ -57,10 +57,11 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 EditorWindow::~EditorWindow() {
   view_->setTool(nullptr);
   delete cells_;
-  // Docks tell that they go when the window itself is gone. Only this signal: styles listen to others of theirs.
+  // Docks emit a signal when they are hidden with the window. Only this signal is disconnected, because styles use
+  // others.
   for (QDockWidget* dock : findChildren<QDockWidget*>())
     disconnect(dock, &QDockWidget::visibilityChanged, nullptr, nullptr);
-  // The parts outlive the widgets that listen to them.
+  // The parts outlive the widgets that are connected to them.
   document_.disconnect();
   document_.undoStack()->disconnect();
   controller_.disconnect();
@@ -83,7 +84,7 @@ void EditorWindow::createWidgets() {
   layout->addWidget(messages_);
   layout->addWidget(view_, 1);
   setCentralWidget(central);
-  central->setFocusProxy(view_);  // who gives the keys back gives them to the view
+  central->setFocusProxy(view_);  // code that returns the focus gives it to the view
 
   createStatusBar();
   host_ = std::make_unique<FeatureHost>(FeatureHost{*this, commands_, *new Panels(*this, commands_, *view_),
@@ -326,7 +327,7 @@ void EditorWindow::takeUnits() {
   import_->setUnits(units);
 }
 
-// --- What is being done
+// --- Work under way
 
 void EditorWindow::showProgress(const QString& text, double fraction, std::optional<double> secondsLeft) {
   status_->say(StatusSubject::Work, text);
@@ -403,7 +404,7 @@ void EditorWindow::resizeEvent(QResizeEvent* event) {
 
 void EditorWindow::changeEvent(QEvent* event) {
   QMainWindow::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange && view_) view_->update();  // it draws in colours of its own
+  if (event->type() == QEvent::PaletteChange && view_) view_->update();  // it draws in its own colours
 }
 
 }  // namespace footfall::ui

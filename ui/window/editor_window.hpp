@@ -46,9 +46,8 @@ class EnvironmentTools;
 class LevelLook;
 class PackedFeature;
 
-/// Makes the parts of the editor, gives each what it uses, and arranges them in menus, bars and docks. Errors appear in
-/// the message bar, in the words of the exception, and leave everything as it was. Nothing here waits for a
-/// computation.
+/// Makes the parts of the editor, connects them, and arranges them in menus, bars and docks. Errors appear in the
+/// message bar with the message of the exception, and change nothing. Nothing here waits for a computation.
 class EditorWindow : public QMainWindow {
   Q_OBJECT
 
@@ -56,9 +55,9 @@ class EditorWindow : public QMainWindow {
   explicit EditorWindow(QWidget* parent = nullptr);
   ~EditorWindow() override;
 
-  /// Opens an environment or a session, by its content; in the background.
+  /// Opens an environment or a session, by its content, in the background.
   void open(const QString& path) { opening_->open(path); }
-  /// The same, with a pipeline in place of the default one (or the session's), and with import options.
+  /// Opens a file with a pipeline that replaces the default one (or the session's), and with import options.
   void openWith(const QString& path, const std::optional<Pipeline>& pipeline, const ImportOptions& import) {
     opening_->open(path, pipeline, import);
   }
@@ -68,26 +67,26 @@ class EditorWindow : public QMainWindow {
   void saveSession(const QString& path) { sessions_->save(path); }
   void exportResult(const QString& path) { exports_->write(path); }
   void exportResult(const QString& path, const ExportSettings& settings) { exports_->write(path, settings); }
-  /// Offers what was worked on when the program, or the machine, ended unexpectedly.
-  /// `path`: the file that was opened, whose lost session comes first.
+  /// Offers to restore work after the program, or the machine, ended unexpectedly. `path` is the file that was opened;
+  /// its lost session comes first.
   void offerRestoring(const QString& path = {}) { sessions_->offerRestoring(path); }
   void continueLastSession() { opening_->continueLastSession(); }
-  /// The page with samples and recent files, over the view.
+  /// Shows the page with samples and recent files over the view.
   void showWelcome(bool on) { welcome_->show(on); }
-  /// Docks, tool bars and size as they were, for the program; tests have windows as they are made.
+  /// Restores docks, tool bars and size, for the program; windows of tests keep their defaults.
   void restoreLayout(bool withSize) { layout_->restore(withSize); }
-  /// Off: nothing of this window is remembered (for screenshots).
+  /// Off: nothing of this window is saved in the settings (for screenshots).
   void setRemembering(bool on);
-  /// Somebody sits in front of it: the camera may take its time. At first nobody does.
-  /// The view does not show all of the last result yet.
+  /// Returns whether the view does not show all of the last result yet.
   [[nodiscard]] bool drawing() const { return drawingNote_->pending(); }
+  /// Sets whether a person uses the window, so that the camera may glide; off at first.
   void setInteractive(bool on);
-  /// Cells in the view, and the dock with the timeline.
+  /// Sets whether cells are shown in the view, and the dock with the timeline.
   void setCellsShown(const CellsShown& shown) { cells_->setShown(shown); }
-  /// Neither loading, running nor exporting, nor about to.
+  /// Returns whether no load, run or export is under way or about to begin.
   [[nodiscard]] bool idle() const;
 
-  // What the program and the tests look at.
+  // The parts that the program and the tests use.
   [[nodiscard]] CommandRegistry& commands() { return commands_; }
   [[nodiscard]] Document& document() { return document_; }
   [[nodiscard]] LevelFile& file() { return file_; }
@@ -118,17 +117,17 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] HelpPanel& helpPanel() { return *help_; }
   [[nodiscard]] LogPanel& logPanel() { return runLog_->panel(); }
   [[nodiscard]] FileWriter& writer() { return *writer_; }
-  /// The level that runs compute on: with roles of parts and obstacles. Null when nothing is loaded.
+  /// The level that runs compute on, with roles of parts and obstacles. Null when nothing is loaded.
   [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
   /// The level as its file gave it.
   [[nodiscard]] std::shared_ptr<const Environment> environment() const { return file_.environment(); }
   [[nodiscard]] bool hasUnsavedChanges() const { return sessions_->hasUnsavedChanges(); }
-  /// Whether what is shown was opened as a session.
+  /// Returns whether the level was opened as a session.
   [[nodiscard]] bool openedSession() const { return !sessions_->path().isEmpty(); }
 
  signals:
   void loadFailed(const QString& message);
-  /// A file has been saved or exported.
+  /// Emitted when a file has been saved or exported.
   void written(const QString& path);
 
  protected:
@@ -169,7 +168,7 @@ class EditorWindow : public QMainWindow {
   SessionSections sections_;
   RecentFiles recent_;
   MessageLog log_;
-  bool levelFailed_ = false;  ///< an error of the level that is being composed is shown
+  bool levelFailed_ = false;  ///< the error of a level that cannot be composed is shown
 
   LevelView* view_ = nullptr;
   ViewLayout* overlays_ = nullptr;
@@ -192,7 +191,7 @@ class EditorWindow : public QMainWindow {
   CameraTools* camera_ = nullptr;
   DrawingNote* drawingNote_ = nullptr;
   FileWriter* writer_ = nullptr;
-  QString writtenName_;  ///< of the file that it began last
+  QString writtenName_;  ///< name of the file whose writing began last
   SessionFiles* sessions_ = nullptr;
   PipelineFiles* pipelines_ = nullptr;
   LevelOpening* opening_ = nullptr;
@@ -202,7 +201,7 @@ class EditorWindow : public QMainWindow {
   Welcome* welcome_ = nullptr;
   RunLog* runLog_ = nullptr;
 
-  // Last: their threads end before the rest goes.
+  // Declared last: their threads end before the other members are destroyed.
   RunController controller_;
   LevelFile file_;
   BackgroundQueue writing_{BackgroundQueue::AtEnd::FinishJobs};

@@ -7,7 +7,7 @@
 
 namespace footfall::ui {
 
-/// They stand with the other exports of the File menu, and can be used once something was exported.
+/// The commands stand with the other exports of the File menu; they are enabled once something was exported.
 void addExportCommands(CommandRegistry& commands, ResultExport& exports);
 
 }  // namespace footfall::ui

@@ -36,7 +36,7 @@ QCheckBox* addBox(QVBoxLayout* layout, const QString& id, const QString& text, c
   return box;
 }
 
-/// ".obj, .gltf" and so on.
+/// The endings of all formats: ".obj, .gltf" and so on.
 QString allEndings() {
   QStringList endings;
   for (const ExportTarget& target : exportTargets()) endings << QLatin1Char('.') + exportEnding(target.kind);
@@ -269,7 +269,7 @@ QString ExportDialog::path() const {
   return text + QLatin1Char('.') + exportEnding(kind());
 }
 
-/// The options that this target had last, and a name with its ending.
+/// Restores the options that this target had last, and gives the name the target's ending.
 void ExportDialog::changeTarget() {
   const ExportTarget& next = target();
   if (&next != shown_) {
@@ -280,7 +280,7 @@ void ExportDialog::changeTarget() {
   takeName();
 }
 
-/// The name follows the target: another ending, where it has one of ours.
+/// Updates the name for the target: its ending is replaced where it is one of an export format.
 void ExportDialog::takeName() {
   const QString text = path_->text();
   const QString ending = QFileInfo(text).suffix();
@@ -292,7 +292,7 @@ void ExportDialog::takeName() {
   refresh();
 }
 
-/// The target follows the name.
+/// Updates the target for the name.
 void ExportDialog::readPath() {
   const ExportTarget& next = exportTargetOf(path_->text(), target());
   if (&next == shown_) return refresh();

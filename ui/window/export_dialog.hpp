@@ -1,4 +1,4 @@
-// The dialog for exports: whom they are for, what that keeps and loses, options, what will be written, and where.
+// The dialog for exports: the target, what its format keeps and loses, options, the files, and their place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -23,19 +23,19 @@
 
 namespace footfall::ui {
 
-/// What there is to export, as it was when the dialog was opened.
+/// The content to export when the dialog was opened.
 struct ExportSource {
   std::shared_ptr<const FinishedRun> run;  ///< may be null: there is no result yet
-  bool isUpToDate = true;                  ///< false: the export waits for the run under way
+  bool isUpToDate = true;                  ///< false: the export waits for the present run
   std::shared_ptr<const Environment> environment;
   std::vector<ExportExtra> placed;
   QSize view;  ///< logical pixels
   double devicePixelRatio = 1;
-  /// Why a file must not be written to; empty where it may be.
+  /// The reason why a file must not be written; empty where it may be.
   std::function<QString(const QString& path)> refusal;
 };
 
-/// Shown with open(). The size of files is computed in the background, by making them.
+/// Shown with open(). The sizes of files are computed in the background, by making the files.
 class ExportDialog : public QDialog {
   Q_OBJECT
 
@@ -65,20 +65,20 @@ class ExportDialog : public QDialog {
   void readPath();
   void refresh();
   void estimate();
-  /// Grows where what it shows needs more lines than before.
+  /// Makes the dialog higher where its content needs more lines.
   void fitHeight();
   [[nodiscard]] QString problem() const;
   [[nodiscard]] QString content() const;
   [[nodiscard]] QString meshContent(const FormatDescriptor& format) const;
   [[nodiscard]] const ExportTarget& target() const;
   [[nodiscard]] ExportKind kind() const { return target().kind; }
-  /// The files that are there and may be replaced.
+  /// The existing files that may be replaced.
   [[nodiscard]] QStringList existing() const;
   void requestExport();
 
   ExportSource source_;
-  const ExportTarget* shown_;                               ///< whose options the widgets have
-  std::map<const ExportTarget*, ExportSettings> settings_;  ///< of those that were left for another one
+  const ExportTarget* shown_;                               ///< target whose options the widgets show
+  std::map<const ExportTarget*, ExportSettings> settings_;  ///< settings of the other targets
   QComboBox *target_, *up_, *pictureSize_;
   QSpinBox* part_;
   QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *drops_, *placed_, *pictures_;
@@ -90,7 +90,7 @@ class ExportDialog : public QDialog {
   QLabel *keeps_, *loses_, *content_, *size_, *problem_;
   QWidget *meshOptions_, *frameOptions_, *polygonOptions_, *pictureOptions_, *reportOptions_;
   std::shared_ptr<RunContext> estimating_;
-  BackgroundQueue queue_;  // last: its thread ends before the rest goes
+  BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

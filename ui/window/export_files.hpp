@@ -12,8 +12,8 @@
 
 namespace footfall::ui {
 
-/// Of every kind but pictures and reports, `target` first or beside it. Any thread may call it; throws what
-/// formatExport() and makePlanFiles() throw.
+/// Makes the files of every kind except pictures and reports; `target` is the first of them, or others lie beside it.
+/// Any thread may call it. Throws what formatExport() and makePlanFiles() throw.
 ExportFiles makeExport(const ExportSettings& settings, const std::string& target, const FinishedRun& run,
                        std::span<const ExportExtra> extras, Poll poll);
 

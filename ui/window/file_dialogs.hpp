@@ -1,4 +1,4 @@
-// Dialogs that ask for a file, without waiting for it.
+// File dialogs that do not block.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,16 +16,16 @@ namespace footfall::ui {
 inline std::string toPath(const QString& path) { return QFile::encodeName(path).toStdString(); }
 inline QString fromPath(const std::string& path) { return QFile::decodeName(QByteArray::fromStdString(path)); }
 
-/// Beside the level's file, with its name and `ending`.
+/// A path beside the level's file, with its name and `ending`.
 QString suggestedPath(const LevelFile& level, const QString& ending = {});
 
 using UsePath = std::function<void(const QString&)>;
 
-/// `use` gets the chosen file, which is there.
+/// `use` receives the chosen file, which exists.
 QFileDialog* askForFile(QWidget* parent, const QString& title, const QString& nameFilter, const QString& suggested,
                         UsePath use);
 
-/// `use` gets the chosen name; what is there is not asked about (FileWriter::writeAsking() does).
+/// `use` receives the chosen name. The dialog does not confirm replacing a file (FileWriter::writeAsking() does).
 QFileDialog* askForTarget(QWidget* parent, const QString& title, const QString& nameFilter, const QString& suggested,
                           const QString& suffix, UsePath use);
 

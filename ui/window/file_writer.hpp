@@ -1,4 +1,4 @@
-// Files that the editor writes.
+// Writes the editor's files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,11 +18,11 @@
 
 namespace footfall::ui {
 
-/// What a file that is written is for. Of the files that the editor works with, only those of the same kind may be
-/// replaced: a session by a session.
+/// The kind of a written file. Files that the editor uses may be replaced only by files of the same kind: a session by
+/// a session.
 enum class WrittenKind { Export, Session, Pipeline };
 
-/// Writes in the background, reports errors, and refuses to write over the files that are worked with.
+/// Writes in the background, reports errors, and refuses to overwrite files that are in use.
 class FileWriter : public QObject {
   Q_OBJECT
 
@@ -37,40 +37,40 @@ class FileWriter : public QObject {
   };
   explicit FileWriter(const Uses& uses);
 
-  /// `write` is called in the background and throws where it fails; `then` is called here with whether it has not,
-  /// before written() is emitted.
+  /// `write` is called in the background and throws on failure. `then` is called on this thread with true after
+  /// success, before written() is emitted.
   void write(std::function<void()> write, const QString& path, std::function<void(bool)> then = {});
-  /// The same for what may take long: cancel() ends it, by its context.
+  /// Writes a file that may take long; cancel() ends it, through its context.
   void writeLong(std::function<void(const RunContext&)> write, const QString& path);
-  /// Ends what writeLong() began and is not done; nothing of it is written, and that is told.
+  /// Cancels the unfinished writeLong(); nothing is written, and a message says so.
   void cancel();
-  /// Why a file must not be written to, in one line; empty where it may be. The rule is WriteTargets'.
+  /// The reason why a file must not be written, in one line; empty where it may be. The rule is that of WriteTargets.
   [[nodiscard]] QString refusal(const QString& path, WrittenKind kind) const;
   /// Shows the refusal, if there is one, and returns whether there is.
   bool refuses(const QString& path, WrittenKind kind);
-  /// Asks before it replaces a file by a name that a person has chosen, and calls `write` where nothing is refused;
-  /// else `keep`.
+  /// Asks before a file is replaced whose name the user has chosen. Calls `write` where the user agrees and nothing is
+  /// refused, else `keep`.
   void writeAsking(const QString& path, WrittenKind kind, std::function<void()> write, std::function<void()> keep = {});
 
   /// The session or the pipeline that was opened or saved last; empty: none.
   [[nodiscard]] QString openPath(WrittenKind kind) const;
   void setOpenPath(WrittenKind kind, const QString& path);
-  /// Something is being written.
+  /// Returns whether a file is being written.
   [[nodiscard]] bool busy() const { return writing_ > 0; }
 
  signals:
   void started(const QString& path);
-  /// Nothing is being done with that file any more; messages follow.
+  /// Emitted when a file is finished; messages follow.
   void ended();
   void written(const QString& path);
-  /// Everybody knows how it went.
+  /// Emitted after all messages about a file.
   void settled(bool written);
 
  private:
   Uses uses_;
   QString session_, pipeline_;
   int writing_ = 0;
-  std::vector<std::weak_ptr<RunContext>> contexts_;  ///< of writeLong()
+  std::vector<std::weak_ptr<RunContext>> contexts_;  ///< contexts of writeLong()
 };
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// The dock Help: what the filter is that one is working on.
+// The dock Help: describes the filter that the user is editing.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,14 +11,14 @@ namespace footfall::ui {
 class Document;
 class FilterList;
 
-/// Follows the keyboard focus through the filter list; what has been shown stays when the focus goes elsewhere.
+/// Follows the keyboard focus through the filter list; the last text stays when the focus moves elsewhere.
 class HelpPanel : public QTextBrowser {
   Q_OBJECT
 
  public:
   HelpPanel(const Document& document, const FilterList& filters, QWidget* parent = nullptr);
 
-  /// Shows a filter, and one of its parameters first (-1: from the top).
+  /// Shows a filter, beginning with one of its parameters (-1: from the top).
   void showFilter(const FilterDescriptor& filter, int parameter = -1);
 
  private:

@@ -121,7 +121,7 @@ bool LevelOpening::readSessionInto(Opening& opening, const std::optional<KeptSes
 }
 
 void LevelOpening::take(Reading reading, const std::shared_ptr<const Environment>& before) {
-  // The document's options may rescale the file's level while this one is taken.
+  // The document's options may rescale the file's level during this call.
   const LoadedEnvironment loaded = uses_.file.loaded();
   if (reading == Reading::Again) {
     uses_.composer.replaceLoaded(loaded.environment, loaded.geometry->whole);
@@ -147,14 +147,13 @@ void LevelOpening::take(Reading reading, const std::shared_ptr<const Environment
 
 void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before, const Environment& level) {
   const Opening opening = std::exchange(opening_, {});
-  // A pipeline that somebody has worked on is worth more than defaults.
+  // A pipeline that the user has edited is kept instead of the defaults.
   const bool own = before && !(uses_.document.pipeline() == defaultPipeline(*before));
   const Pipeline pipeline = opening.pipeline ? *opening.pipeline
                             : own
                                 ? rescaleLengths(uses_.document.pipeline(), before->metresPerUnit, level.metresPerUnit)
                                 : defaultPipeline(level);
-  // The document is that of the new level from here on, and so is where its runs are: nothing of that is to run on the
-  // old one.
+  // From here on, the document and the place to run belong to the new level; nothing of them may run on the old one.
   uses_.composer.setLoaded(nullptr);
   uses_.cells.watch().setEnvironment(nullptr, {});
   uses_.controller.setEnvironment(nullptr, {});
@@ -175,9 +174,9 @@ void LevelOpening::takeDocument(const std::shared_ptr<const Environment>& before
   }
   if (uses_.sessions.remembering()) uses_.recent.add(opening.session.isEmpty() ? opening.path : opening.session);
   if (opening.kept) {
-    uses_.sessions.keep();  // before what was restored is given up
+    uses_.sessions.keep();  // saved before the restored session is given up
     uses_.sessions.forget(*opening.kept);
-    uses_.sessions.offerRestoring();  // an older one
+    uses_.sessions.offerRestoring();  // offers an older one
   }
 }
 

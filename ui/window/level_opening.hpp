@@ -24,8 +24,8 @@
 
 namespace footfall::ui {
 
-/// Reads what is opened in the background; when it is there, gives it to document, level, runs and view, with what its
-/// session says.
+/// Reads the opened file in the background, and then sets document, level, runs and view, with the content of its
+/// session.
 class LevelOpening : public QObject {
   Q_OBJECT
 
@@ -47,13 +47,13 @@ class LevelOpening : public QObject {
   };
   explicit LevelOpening(const Uses& uses);
 
-  /// An environment or a session, by its content, with a pipeline in place of the default one (or the session's), and
-  /// with import options.
+  /// Opens an environment or a session, by its content, with a pipeline that replaces the default one (or the
+  /// session's), and with import options.
   void open(const QString& path, const std::optional<Pipeline>& pipeline = {}, const ImportOptions& import = {});
-  /// These ask first what is to become of unsaved changes.
+  /// These functions first ask whether to save unsaved changes.
   void openAsking(const QString& path);
   void openKept(const KeptSession& kept);
-  /// Opens what was open when a window was closed last.
+  /// Opens the level that was open when a window was closed last.
   void continueLastSession();
   /// Opens a sample with the pipeline in a file; empty: with the default one.
   void openSample(const QString& path, const QString& pipeline);
@@ -61,26 +61,26 @@ class LevelOpening : public QObject {
   void useDefaultFilters();
 
  signals:
-  /// What was to be opened is no session that can be read.
+  /// Emitted for a session that cannot be read.
   void failed(const QString& message);
 
  private:
-  /// What comes with the file that is being read.
+  /// The session data of the file that is being read.
   struct Opening {
     QString path;
     std::optional<Pipeline> pipeline = {};
     ImportOptions import = {};
     std::optional<CameraPose> camera = {};
-    bool unsaved = false;  ///< it comes with changes that its session file has not
-    QString session = {};  ///< the file that all this comes from, when it is one
+    bool unsaved = false;  ///< the data has changes that its session file does not have
+    QString session = {};  ///< session file that the data was read from, if any
     std::optional<CellsShown> cells = {};
-    DocumentState rest = {};  ///< of the session: agents, roles, obstacles
+    DocumentState rest = {};  ///< agents, roles and obstacles of the session
     std::optional<std::map<std::string, std::string>> sections = {};
-    std::optional<KeptSession> kept = {};  ///< where it comes from, when it was kept and not saved
+    std::optional<KeptSession> kept = {};  ///< kept session that the data was read from, if it was not saved
   };
 
   void openFile(Opening opening, const std::optional<KeptSession>& kept);
-  /// Whether there is a level to be read; else the session was no more than filters, which the list has now.
+  /// Returns whether there is a level to read; else the session had filters only, which the list has now.
   bool readSessionInto(Opening& opening, const std::optional<KeptSession>& kept);
   void take(Reading reading, const std::shared_ptr<const Environment>& before);
   void takeDocument(const std::shared_ptr<const Environment>& before, const Environment& level);

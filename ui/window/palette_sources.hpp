@@ -1,4 +1,4 @@
-// What the command palette finds.
+// The entries of the command palette.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,7 +11,7 @@ class LevelFile;
 class LevelOpening;
 class RecentFiles;
 
-/// Commands, filters to add, recent files and samples. All of them must outlive the palette.
+/// Adds commands, filters, recent files and samples. All arguments must outlive the palette.
 void addPaletteSources(CommandPalette& palette, CommandRegistry& commands, Document& document, const LevelFile& file,
                        RecentFiles& recent, LevelOpening& opening);
 

@@ -17,9 +17,9 @@ class PipelineFiles : public QObject {
  public:
   PipelineFiles(QWidget& window, Document& document, const LevelFile& level, FileWriter& writer, MessageBar& messages);
 
-  /// Reads a file into the list, one edit.
+  /// Reads a file into the list, as one edit.
   void open(const QString& path);
-  /// Replaces other files without a question, but not those that FileWriter refuses.
+  /// Replaces an existing file without a question, except files that FileWriter refuses.
   void save(const QString& path);
   void askForFile();
   void askForTarget();

@@ -26,7 +26,7 @@ QString keysText(const QList<QKeySequence>& keys) { return QKeySequence::listToS
 }  // namespace
 
 int interfaceScale() {
-  // Also before there is an application, which names the settings.
+  // This must also work before there is an application, which names the settings.
   return QSettings(QStringLiteral("footfall"), QStringLiteral("footfall")).value(QLatin1String(kScale), 100).toInt();
 }
 

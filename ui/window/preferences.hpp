@@ -17,7 +17,7 @@
 
 namespace footfall::ui {
 
-/// Every choice takes effect at once, but for the language and the size of the interface, which hold from the next
+/// Every choice takes effect at once, except the language and the size of the interface, which apply from the next
 /// start on.
 class Preferences : public QDialog {
   Q_OBJECT
@@ -47,7 +47,7 @@ class Preferences : public QDialog {
 
 /// The chosen size of the interface in percent of the system's.
 int interfaceScale();
-/// Before the application is made.
+/// Called before the application is made.
 void applyInterfaceScale();
 
 }  // namespace footfall::ui

@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-/// For the translations.
+/// The struct is the context of the translations.
 struct ReplaceTexts {
   Q_DECLARE_TR_FUNCTIONS(footfall::ui::ReplaceTexts)
 };

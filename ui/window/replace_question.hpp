@@ -1,4 +1,4 @@
-// The question before a file is replaced.
+// The question that confirms replacing a file.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace footfall::ui {
 
-/// Calls `replace` when there is no such file (devices and pipes are written to, not replaced), or once somebody has
-/// said that it may be replaced; else `keep`. Does not wait for the answer.
+/// Calls `replace` when there is no such file (devices and pipes are written, not replaced), or when the user agrees;
+/// else `keep`. Does not block.
 void askReplacing(QWidget* parent, const QString& path, std::function<void()> replace, std::function<void()> keep = {});
 
-/// The same for all of these files with one question; those that are not there do not count.
+/// Asks one question for all of these files; files that do not exist are ignored.
 void askReplacing(QWidget* parent, const QStringList& paths, std::function<void()> replace,
                   std::function<void()> keep = {});
 

@@ -11,7 +11,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr QSize kReportSwatch{30, 15};
-constexpr double kRatio = 2;  // reports are looked at on large screens, too
+constexpr double kRatio = 2;  // reports are also read on large screens
 constexpr std::uint32_t kMostLayers = 12;
 
 using Images = std::vector<CaptionedImage>;

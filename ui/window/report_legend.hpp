@@ -1,4 +1,4 @@
-// What the colours of a report's pictures mean.
+// The legend of a report's pictures.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,11 +12,11 @@
 
 namespace footfall::ui {
 
-/// In English, as reports are.
+/// Captions are English, as reports are.
 using CaptionedImage = std::pair<std::string, QImage>;
 
-/// A swatch of each colour and line that the view shows of `content`; heat maps and other modes as they name
-/// themselves. Needs the window's thread.
+/// A swatch of each colour and line that the view shows of `content`; heat maps and other modes use their own names.
+/// Needs the window's thread.
 std::vector<CaptionedImage> reportLegend(const ViewContent& content, const SceneParts& parts);
 
 }  // namespace footfall::ui

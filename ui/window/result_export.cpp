@@ -38,7 +38,7 @@ std::vector<ReportPicture> pngsOf(const std::vector<CaptionedImage>& images) {
   return pictures;
 }
 
-/// How many pages or layers a result has is known once they are made: what nobody was asked about is not replaced.
+/// The number of pages or layers is known once they are made; files that the user has not agreed to are not replaced.
 void checkUnasked(const std::vector<OutputFile>& files, const std::set<std::string>* replaceable) {
   if (!replaceable) return;
   for (const OutputFile& file : files)
@@ -50,7 +50,7 @@ void checkUnasked(const std::vector<OutputFile>& files, const std::set<std::stri
 }  // namespace
 
 ResultExport::ResultExport(const Uses& uses) : QObject(&uses.window), uses_(uses) {
-  // Later, when the whole editor has the result: pictures show what it makes of it.
+  // The connection is queued, so that the whole editor has the result: pictures show the updated view.
   connect(&uses_.controller, &RunController::finished, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
   connect(&uses_.controller, &RunController::finished, this, &ResultExport::writeAfterRun, Qt::QueuedConnection);
   connect(&uses_.modes, &ViewModes::ready, this, &ResultExport::writeWaiting, Qt::QueuedConnection);
@@ -114,7 +114,7 @@ void ResultExport::setAfterRuns(bool on) {
   writeAfterRun();
 }
 
-// Not twice the same result: runs that change nothing leave the file as it is.
+// The same result is not written twice: the file does not change after runs that change nothing.
 void ResultExport::writeAfterRun() {
   if (!afterRuns_ || !uses_.controller.upToDate()) return;
   const auto run = uses_.controller.finishedRun();
@@ -233,7 +233,7 @@ void ResultExport::writeReport(const QString& path, bool pictures) {
     const auto take = [&](const char* caption, const QSize& size, PictureCamera from) {
       images.emplace_back(caption, uses_.view.picture(size, kReportRatio, from));
     };
-    // The first has the view's shape, so that it shows neither more nor less.
+    // The first picture has the view's shape, so that it shows the same part.
     take("As seen in the editor", uses_.view.size().scaled(kReportPicture, Qt::KeepAspectRatio), PictureCamera::AsSeen);
     take("From the top", kReportPicture, PictureCamera::Top);
     take("From above at an angle", kReportPicture, PictureCamera::Oblique);
@@ -251,7 +251,7 @@ void ResultExport::writeReport(const QString& path, bool pictures) {
       path);
 }
 
-// The shapes that were placed, as the level has them.
+// The placed shapes, as the level has them.
 std::vector<ExportExtra> ResultExport::placedExtras() const {
   std::vector<ExportExtra> extras;
   for (const PlacedObstacle& obstacle : uses_.document.state().obstacles)

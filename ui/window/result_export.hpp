@@ -1,4 +1,4 @@
-// What the editor exports: the walkable area, pictures and reports.
+// Exports the walkable area, pictures and reports.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -25,8 +25,8 @@ struct ExportExtra;
 
 namespace footfall::ui {
 
-/// Exports show the last finished result. While there is none of the filters as they are, they wait for the run; what
-/// still waits when the run is cancelled, or another level is opened, is not written, and that is reported.
+/// Exports contain the last finished result. While the present filters have none, exports wait for the run. When the
+/// run is cancelled, or another level is opened, waiting exports are dropped, and a message says so.
 class ResultExport : public QObject {
   Q_OBJECT
 
@@ -45,33 +45,33 @@ class ResultExport : public QObject {
   };
   explicit ResultExport(const Uses& uses);
 
-  /// Off: choices of the dialog are not kept in the user's settings.
+  /// Off: choices of the dialog are not saved in the user's settings.
   void setRemembering(bool on) { remembering_ = on; }
-  /// For the target of the last export, or another one.
+  /// Opens the dialog for the target of the last export, or another one.
   void showDialog();
   void showDialog(const ExportTarget& target);
-  /// Replaces other files without a question, but not those that FileWriter refuses. The name's ending chooses the
-  /// format; all there is, in the file's frame and units.
+  /// Writes everything in the file's frame and units; the name's ending chooses the format. Replaces an existing file
+  /// without a question, except files that FileWriter refuses.
   void write(const QString& path);
   void write(const QString& path, const ExportSettings& settings);
 
-  /// The last export that was asked for, to the same file; without one the dialog comes.
+  /// Repeats the last export to the same file; opens the dialog where there was none.
   void exportAgain();
   [[nodiscard]] bool hasLast() const { return last_.has_value(); }
-  /// Where an export was asked for, each result from now on is written to that file, the one that is there among them,
-  /// until another environment is opened.
+  /// Writes each result from now on, and the present one, to the file of the last export, until another environment is
+  /// opened.
   void setAfterRuns(bool on);
   [[nodiscard]] bool afterRuns() const { return afterRuns_; }
 
   /// The first file that waits for the run; empty: none.
   [[nodiscard]] QString waiting() const { return pending_.empty() ? QString() : pending_.front().first; }
-  /// Gives them up; returns their names, with commas. dropped() follows where there were some.
+  /// Drops the waiting exports and returns their names, separated by commas. dropped() follows where there were some.
   QString takeWaiting();
 
  signals:
-  /// Files that waited are not written.
+  /// Emitted when waiting files are not written.
   void dropped();
-  /// hasLast() or afterRuns() is another.
+  /// Emitted when hasLast() or afterRuns() changed.
   void lastChanged();
 
  private:
@@ -89,7 +89,7 @@ class ResultExport : public QObject {
   bool afterRuns_ = false;
   std::optional<std::pair<QString, ExportSettings>> last_;
   std::weak_ptr<const FinishedRun> written_;  ///< the result that was last written to it
-  /// Written when the run under way is finished, and for pictures the view shows what belongs to it.
+  /// Exports that are written when the present run is finished; pictures also wait until the view shows the result.
   std::vector<std::pair<QString, ExportSettings>> pending_;
 };
 

@@ -53,7 +53,7 @@ void RunLog::askForTarget() {
       });
 }
 
-// One message a run: the result, and the steps that were computed with their times.
+// Adds one message for each run: the result, and the times of the computed steps.
 void RunLog::addRun() {
   QStringList lines{tr("Run finished: %1").arg(status_.state().simplified())};
   for (const FilterEntry& entry : document_.filters()) {

@@ -14,7 +14,7 @@
 
 namespace footfall::ui {
 
-/// Writes messages, levels that were opened and runs into the log.
+/// Writes messages, opened levels and runs into the log.
 class RunLog : public QObject {
   Q_OBJECT
 

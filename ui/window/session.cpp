@@ -162,7 +162,7 @@ PlacedObstacle obstacleFrom(const Json& json) {
   return obstacle;
 }
 
-/// What the filters that are on say of a size, or `otherwise` where none does.
+/// The value of a size in the enabled filters, or `otherwise` where none has it.
 double sizeIn(const Pipeline& pipeline, AgentSize size, double otherwise) {
   for (const PipelineStep& step : pipeline.steps)
     for (std::size_t i = 0; step.enabled && i < step.values.size(); ++i)
@@ -170,7 +170,8 @@ double sizeIn(const Pipeline& pipeline, AgentSize size, double otherwise) {
   return otherwise;
 }
 
-/// Sizes that agents did not have when the session was saved were the filters' alone, whichever agent was active.
+/// A size that agents did not have when the session was saved belonged to the filters alone, whichever agent was
+/// active.
 NamedAgent agentFrom(const Json& json, const Pipeline& pipeline) {
   const auto sizeOr = [&](const char* name, AgentSize size, double none) {
     return json.contains(name) ? json.at(name).get<double>() : sizeIn(pipeline, size, none);
@@ -248,7 +249,7 @@ std::string relativeTo(const std::string& environment, const std::string& sessio
 
 constexpr std::array<std::string_view, 3> kGridChoices{"auto", "on", "off"};
 
-/// "auto", "on", "off" or a step; and the step that the level had.
+/// Reads "auto", "on", "off" or a step, and the step that the level had.
 void readGrid(const Json& import, ImportOptions& options) {
   const Json grid = import.value("grid", Json("auto"));
   if (grid.is_number()) {

@@ -1,4 +1,4 @@
-// Sessions: an environment, how it is read, its pipeline and where one looks from, as JSON.
+// Sessions as JSON: an environment, its import options, its pipeline and the camera position.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,24 +28,24 @@ struct Session {
   int agent = 0;
   std::vector<PartRule> partRules;
   std::vector<PlacedObstacle> obstacles;
-  /// What features keep (SessionSection), as JSON texts by name.
+  /// Sections of features (SessionSection), as JSON texts by name.
   std::map<std::string, std::string> sections;
 };
 
 /// Extension of session files, without the dot.
 inline constexpr const char* kSessionExtension = "footfall";
 
-/// The environment is named relative to the folder of `path`, the file to be, when it lies in or below that folder's
-/// parent: the two can be moved together.
+/// The environment is named relative to the folder of `path`, the target file, when it lies in or below that folder's
+/// parent, so that both can be moved together.
 std::string formatSession(const Session& session, const std::string& path);
 
-/// Throws InputError "FILE: what; what to do"; no part of a session that is wrong somewhere is given back.
+/// Throws InputError "FILE: what; what to do"; a session with an error anywhere is not returned in part.
 Session readSession(const std::string& path);
 
-/// The same of a session's text; `path`, which its environment is relative to, is not in messages.
+/// Parses the text of a session. Its environment is relative to `path`, which messages do not name.
 Session parseSession(const std::string& text, const std::string& path);
 
-/// Whether the file says that it is a session, whatever its name; false when it cannot be read.
+/// Returns whether the content of the file is a session, whatever its name; false when it cannot be read.
 bool isSessionFile(const std::string& path);
 
 }  // namespace footfall::ui

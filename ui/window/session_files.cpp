@@ -15,7 +15,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kKeepAfterMs = 1000;  // between the last change and writing the session that survives a crash
+constexpr int kKeepAfterMs = 1000;  // time between the last change and the autosave
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void SessionFiles::save(const QString& path) {
     afterSaving_ = nullptr;
     return;
   }
-  // Saved is what the file got, and only once it has it.
+  // The saved state is that of the file, and only once the file is written.
   const DocumentState written = uses_.document.state();
   const std::string target = toPath(path);
   uses_.writer.write([session = current(), target] { writeFileSafely(target, formatSession(session, target)); }, path,
@@ -107,7 +107,7 @@ void SessionFiles::askUnsaved(std::function<void()> next) {
     next();
     return;
   }
-  if (uses_.window.findChild<QMessageBox*>(QStringLiteral("unsavedQuestion"))) return;  // asked already
+  if (uses_.window.findChild<QMessageBox*>(QStringLiteral("unsavedQuestion"))) return;  // the question is open already
   // The environment's own file never changes.
   const QString level = QFileInfo(uses_.level.path()).fileName();
   const QString question = path().isEmpty()
@@ -133,7 +133,7 @@ void SessionFiles::askUnsaved(std::function<void()> next) {
         }
         break;
       case QMessageBox::Discard:
-        // Later, when the question is gone.
+        // Runs later, after the question has closed.
         QMetaObject::invokeMethod(this, next, Qt::QueuedConnection);
         break;
       default:
@@ -143,7 +143,7 @@ void SessionFiles::askUnsaved(std::function<void()> next) {
   box->open();
 }
 
-// --- After a crash, or the next day
+// --- After a crash, or at the next start
 
 void SessionFiles::keep() {
   if (remembering_ && uses_.level.environment())
@@ -156,7 +156,7 @@ void SessionFiles::close() {
   keeper_.close();
 }
 
-// The newest one first, or the one of a file; the others are a click away.
+// Offers the newest session first, or that of a file; one click leads to the others.
 void SessionFiles::offerRestoring(const QString& path) {
   std::vector<KeptSession> found = keeper_.abandoned();
   if (found.empty()) return;

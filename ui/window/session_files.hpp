@@ -1,4 +1,4 @@
-// The session: saved where the user wants it, and kept for after a crash.
+// Saves sessions where the user chooses, and autosaves them for recovery after a crash.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -33,38 +33,38 @@ class SessionFiles : public QObject {
     FileWriter& writer;
     RecentFiles& recent;
     MessageBar& messages;
-    BackgroundQueue& writing;  ///< as SessionKeeper wants it
+    BackgroundQueue& writing;  ///< meets the requirements of SessionKeeper
   };
   explicit SessionFiles(const Uses& uses);
 
-  /// Off: nothing of this window is remembered (for screenshots).
+  /// Off: nothing of this window is saved in the settings (for screenshots).
   void setRemembering(bool on) { remembering_ = on; }
   [[nodiscard]] bool remembering() const { return remembering_; }
 
   /// The file that was opened or saved last; empty: none.
   [[nodiscard]] QString path() const { return uses_.writer.openPath(WrittenKind::Session); }
   void setPath(const QString& path);
-  /// Replaces other files without a question, but not those that FileWriter refuses.
+  /// Replaces an existing file without a question, except files that FileWriter refuses.
   void save(const QString& path);
   /// Saves to the file that was opened or saved last; asks for one where there is none.
   void saveAgain();
   void askForTarget();
 
-  /// Edits that no session file has.
+  /// Returns whether there are edits that no session file has.
   [[nodiscard]] bool hasUnsavedChanges() const;
-  /// Asks what is to become of unsaved changes, if there are some; `next` follows unless it is cancelled.
+  /// Asks whether to save unsaved changes, if there are some; `next` follows unless the user cancels.
   void askUnsaved(std::function<void()> next);
 
-  /// Writes what survives a crash: soon, or at once.
+  /// Writes the autosave soon, or at once.
   void keepSoon() { keepTimer_.start(); }
   void keep();
-  /// The window is being closed: what is kept becomes the last session.
+  /// Called when the window closes: the autosave becomes the last session.
   void close();
-  /// Offers what was worked on when the program, or the machine, ended unexpectedly.
-  /// `path`: the file that is being opened, whose lost session comes first.
+  /// Offers to restore work after the program, or the machine, ended unexpectedly. `path` is the file that is being
+  /// opened; its lost session comes first.
   void offerRestoring(const QString& path = {});
   [[nodiscard]] std::optional<KeptSession> lastSession() const { return keeper_.lastSession(); }
-  /// A session that was kept is open, or not wanted.
+  /// Removes a kept session that is open, or not wanted.
   void forget(const KeptSession& kept) { keeper_.forget(kept); }
 
  signals:
@@ -80,7 +80,7 @@ class SessionFiles : public QObject {
   SessionKeeper keeper_;
   QTimer keepTimer_;
   bool remembering_ = true;
-  std::function<void()> afterSaving_;  ///< what waits for the session to be written
+  std::function<void()> afterSaving_;  ///< runs after the session has been written
 };
 
 }  // namespace footfall::ui

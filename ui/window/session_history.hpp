@@ -1,4 +1,4 @@
-// The undo history of a session that is kept for after a crash, as JSON.
+// The undo history of an autosaved session, as JSON.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,9 +9,9 @@
 
 namespace footfall::ui {
 
-/// The newest edits: at most `most` of them.
+/// Writes the newest edits, at most `most` of them.
 std::string formatHistory(const EditHistory& history, std::size_t most = 100);
-/// Nothing where the text is no history, or one of filters that are not known.
+/// Empty where the text is no history, or has unknown filters.
 std::optional<EditHistory> parseHistory(const std::string& text);
 
 }  // namespace footfall::ui

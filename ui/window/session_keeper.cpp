@@ -27,7 +27,7 @@ QString lockOf(const QString& path) { return path + QStringLiteral(".lock"); }
 
 std::shared_ptr<QLockFile> makeLock(const QString& path) {
   auto lock = std::make_shared<QLockFile>(lockOf(path));
-  lock->setStaleLockTime(0);  // only a dead owner makes it stale, however long it has worked
+  lock->setStaleLockTime(0);  // only the owner's death makes the lock stale, however old it is
   return lock;
 }
 
@@ -51,7 +51,7 @@ std::optional<KeptSession> readKeptSession(const QString& path) {
     }
     return kept;
   } catch (const std::exception&) {
-    return std::nullopt;  // of another version, or damaged: nothing to offer
+    return std::nullopt;  // a file of another version, or damaged: nothing to offer
   }
 }
 
@@ -65,7 +65,7 @@ SessionKeeper::~SessionKeeper() = default;
 bool SessionKeeper::takeOwnPath() {
   if (!ownPath_.isEmpty()) return true;
   QDir().mkpath(folder_);
-  // Several windows of one process have numbers of their own; what another process left is not written over.
+  // Several windows of one process have numbers of their own; files of other processes are not overwritten.
   for (int i = 0; i < 100; ++i) {
     const QString path =
         QStringLiteral("%1/autosave-%2-%3%4").arg(folder_).arg(QCoreApplication::applicationPid()).arg(i).arg(ending());

@@ -22,7 +22,7 @@ void ToolBars::add(QAction* action, const QString& text) {
   main_->addAction(action);
 }
 
-// Tools with icons, group by group, in the order in which they come.
+// Adds tools with icons, group by group, in the order in which they are registered.
 void ToolBars::addTool(const CommandRegistry::Entry& entry) {
   if (entry.command.menu != CommandMenu::Tools || entry.command.icon.isEmpty()) return;
   QAction* before = nullptr;
@@ -41,7 +41,7 @@ void ToolBars::addTool(const CommandRegistry::Entry& entry) {
   shareWidth();
 }
 
-// Where even the icons have no room in one row, the tools get one of their own: none of them is out of sight.
+// Where even the icons have no room in one row, the tools get a row of their own, so that all of them are visible.
 void ToolBars::shareWidth() {
   const bool breaks = CommandBar::shareWidth({main_, tools_}, window_.width()) > window_.width();
   if (breaks != window_.toolBarBreak(tools_)) {

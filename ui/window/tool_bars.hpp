@@ -10,7 +10,8 @@
 
 namespace footfall::ui {
 
-/// One bar for files and the view, and one with the commands of the menu Tools, which fills itself as they come.
+/// One bar has the commands for files and the view; the other has those of the menu Tools, and is filled as they are
+/// registered.
 class ToolBars : public QObject {
   Q_OBJECT
 
@@ -20,7 +21,7 @@ class ToolBars : public QObject {
   [[nodiscard]] CommandBar& main() { return *main_; }
   /// Adds an action to the main bar; `text` is shorter than in the menu.
   void add(QAction* action, const QString& text);
-  /// Both lie in one row where they have room: what has none shows icons alone. To be called when the window's width
+  /// Puts both bars in one row where they fit; a bar that does not fit shows icons only. Called when the window's width
   /// has changed.
   void shareWidth();
 

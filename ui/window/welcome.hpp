@@ -1,4 +1,4 @@
-// When the welcome page is shown, and what it offers.
+// Shows the welcome page, and handles its actions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// Lies over the view until a level is opened, and when it is asked for.
+/// The page lies over the view until a level is opened, and when the user opens it.
 class Welcome : public QObject {
   Q_OBJECT
 
@@ -21,7 +21,7 @@ class Welcome : public QObject {
   Welcome(WelcomePage& page, LevelView& view, CommandRegistry& commands, LevelFile& file, RecentFiles& recent,
           SessionFiles& sessions, LevelOpening& opening);
 
-  /// Shows or hides the page. Without a level there is nothing behind it, and it stays.
+  /// Shows or hides the page. Without a level the page stays, because there is nothing behind it.
   void show(bool on);
 
  protected:

@@ -27,7 +27,7 @@ struct KnownSample {
   const char* description;
 };
 
-// The generator's samples; more folders may lie beside them.
+// The generator's samples; further folders may lie beside them.
 constexpr std::array<KnownSample, 6> kSamples = {{
     {"rooms", QT_TRANSLATE_NOOP("footfall::ui::WelcomePage", "Rooms"),
      QT_TRANSLATE_NOOP("footfall::ui::WelcomePage", "266 triangles: the tour's level, with a doorway that is too low")},
@@ -44,7 +44,7 @@ constexpr std::array<KnownSample, 6> kSamples = {{
      QT_TRANSLATE_NOOP("footfall::ui::WelcomePage", "440 triangles: 26 storeys, one above the other")},
 }};
 
-/// As high as its description needs in its width.
+/// The button is as high as its description at its width.
 class SampleButton : public QToolButton {
  public:
   using QToolButton::QToolButton;
@@ -127,7 +127,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QFrame(parent) {
   inner->setSpacing(14);
   inner->addLayout(head);
   inner->addLayout(columns, 1);
-  // On a small screen the page scrolls; nothing is cut off.
+  // The page scrolls on a small screen, so that nothing is cut off.
   auto* middle = new QWidget;
   middle->setObjectName(QStringLiteral("welcomeMiddle"));
   auto* centring = new QHBoxLayout(middle);
@@ -243,7 +243,7 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
     grid->addWidget(picture, 0, 0, 2, 1);
     grid->addWidget(title, 0, 1, Qt::AlignBottom);
     grid->addWidget(text, 1, 1, Qt::AlignTop);
-    // As a beginning, room for three lines; where they are not enough, SampleButton grows.
+    // There is room for three lines at first; SampleButton grows where they do not suffice.
     button->setMinimumHeight(
         std::max(kThumbnail.height() / 2, title->sizeHint().height() + 3 * text->fontMetrics().lineSpacing()) + 12);
     connect(button, &QToolButton::clicked, this, [this, sample] { emit sampleChosen(sample.path, sample.pipeline); });
@@ -322,7 +322,7 @@ void WelcomePage::keyPressEvent(QKeyEvent* event) {
   QFrame::keyPressEvent(event);
 }
 
-// Samples come and go; the window's own order of controls forgets those that came late.
+// Samples are added and removed; the window's tab order does not contain those that were added late.
 bool WelcomePage::focusNextPrevChild(bool next) {
   QList<QWidget*> order{close_, open_, continue_, recent_, remove_};
   for (QToolButton* button : sampleButtons_) order << button;
@@ -333,7 +333,7 @@ bool WelcomePage::focusNextPrevChild(bool next) {
     order[to]->setFocus(next ? Qt::TabFocusReason : Qt::BacktabFocusReason);
     return true;
   }
-  // Out of the page, from one that the window knows.
+  // Leaves the page through a control that the window's tab order contains.
   if (at >= 0) (next && remove_->isVisible() && remove_->isEnabled() ? remove_ : open_)->setFocus();
   return QFrame::focusNextPrevChild(next);
 }

@@ -1,4 +1,4 @@
-// What one sees before anything is loaded: samples, recent files, the last session.
+// The page that is shown before anything is loaded: samples, recent files, the last session.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,17 +15,18 @@
 namespace footfall::ui {
 
 struct Sample {
-  QString path;      ///< of the environment
-  QString pipeline;  ///< that fits it; empty when there is none
+  QString path;      ///< path of the environment
+  QString pipeline;  ///< pipeline that fits it; empty when there is none
   QString title;
   QString description;  ///< one line
-  QString picture;      ///< of the resources; empty: none
+  QString picture;      ///< name in the resources; empty: none
 };
 
-/// Those of the folder that holds the samples, in the order in which they should be tried; none when it is not there.
+/// The samples in a folder, in the order in which they should be tried; none when the folder does not exist.
 std::vector<Sample> findSamples(const QString& folder);
 
-/// Covers the view. Everything can be reached with Tab and done with Enter; Delete takes a recent file off the list.
+/// Covers the view. All controls can be reached with Tab and triggered with Enter; Delete removes a recent file from
+/// the list.
 class WelcomePage : public QFrame {
   Q_OBJECT
 
@@ -33,15 +34,15 @@ class WelcomePage : public QFrame {
   explicit WelcomePage(QWidget* parent);
 
   struct LastSession {
-    QString name;  ///< of its environment
+    QString name;  ///< name of its environment
     QDateTime time;
   };
 
   void setSamples(const std::vector<Sample>& samples);
-  /// Files that are not there any more are told so, and can only be taken off the list.
+  /// Missing files are marked as such, and can only be removed from the list.
   void setRecentFiles(const QStringList& paths);
   void setLastSession(const std::optional<LastSession>& session);
-  /// Whether there is something behind the page that one can go back to.
+  /// Sets whether the page can be closed, which needs a level behind it.
   void setClosable(bool closable);
 
   [[nodiscard]] QPushButton* openButton() const { return open_; }

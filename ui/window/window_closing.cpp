@@ -12,7 +12,7 @@ WindowClosing::WindowClosing(QWidget& window, Document& document, SessionFiles& 
     : QObject(&window), window_(window), sessions_(sessions), exports_(exports), writer_(writer), status_(status) {
   connect(&writer_, &FileWriter::settled, this, &WindowClosing::closeIfWritten);
   connect(&exports_, &ResultExport::dropped, this, [this] { closeIfWritten(false); });
-  // A person who goes on working has not closed the window.
+  // A user who goes on working has decided not to close the window.
   connect(document.undoStack(), &QUndoStack::indexChanged, this, [this] { isAsked_ = closesWhenWritten_ = false; });
 }
 
@@ -26,7 +26,8 @@ bool WindowClosing::mayClose() {
 }
 
 bool WindowClosing::waits() {
-  if (closesWhenWritten_ || !isWriting()) return false;  // asked twice: at once
+  // the user closes for the second time: the window closes at once
+  if (closesWhenWritten_ || !isWriting()) return false;
   if (exports_.waiting().isEmpty()) {
     closesWhenWritten_ = true;
     status_.say(StatusSubject::Note, tr("Closes when the file is written; close again to close at once"));
@@ -48,7 +49,7 @@ void WindowClosing::askWaiting() {
   connect(box, &QMessageBox::finished, this, [this, box, wait, leave] {
     const bool leaves = box->clickedButton() == leave, waits = box->clickedButton() == wait;
     if (leaves) exports_.takeWaiting();
-    closesWhenWritten_ = waits && isWriting();  // what it waited for may be there by now
+    closesWhenWritten_ = waits && isWriting();  // the files may be finished by now
     if (!leaves && !waits) isAsked_ = false;
     if (leaves || (waits && !closesWhenWritten_))
       QMetaObject::invokeMethod(&window_, &QWidget::close, Qt::QueuedConnection);

@@ -1,4 +1,4 @@
-// Whether the window may close.
+// Decides whether the window may close.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,8 +13,8 @@
 
 namespace footfall::ui {
 
-/// Asks about unsaved changes and about exports that wait for the run, and waits for files that are being written:
-/// nobody would be told what goes wrong with them after the window is gone.
+/// Asks about unsaved changes and about exports that wait for the run, and waits for files that are being written,
+/// because no message about them could be shown after the window has closed.
 class WindowClosing : public QObject {
   Q_OBJECT
 
@@ -22,7 +22,7 @@ class WindowClosing : public QObject {
   WindowClosing(QWidget& window, Document& document, SessionFiles& sessions, ResultExport& exports, FileWriter& writer,
                 StatusLine& status);
 
-  /// Where the window may not close yet, it is closed later, if everything goes well.
+  /// Returns whether the window may close now. Otherwise it is closed later, if everything succeeds.
   [[nodiscard]] bool mayClose();
 
  private:

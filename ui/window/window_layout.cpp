@@ -7,8 +7,8 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kLayoutVersion = 2;  // another one forgets what was remembered of docks and tool bars
-// Widths of docks at first, in heights of a line.
+constexpr int kLayoutVersion = 2;  // a new version discards saved docks and tool bars
+// Initial widths of docks, in heights of a line.
 constexpr int kLeftWidth = 26;
 constexpr int kRightWidth = 21;
 const auto kGeometryKey = QStringLiteral("windowGeometry");

@@ -1,4 +1,4 @@
-// Where docks and tool bars are, and how large the window is.
+// The places of docks and tool bars, and the size of the window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,10 @@ namespace footfall::ui {
 
 class WindowLayout {
  public:
-  /// The docks and bars that the window has by now are the layout at first, which reset() goes back to.
+  /// The present docks and bars are the default layout, which reset() restores.
   WindowLayout(QMainWindow& window, ToolBars& bars);
 
-  /// In the user's settings.
+  /// Saves to the user's settings.
   void save() const;
   void restore(bool withSize);
   void reset();

@@ -16,7 +16,8 @@ QRect firstGeometry(const QRect& available, const QMargins& frame, const QSize& 
 void placeAtFirst(QWidget& window, const QSize& wanted) {
   const QScreen* screen = window.screen();
   if (!screen) return window.resize(wanted);
-  // Its frame is known when it has been shown, which is too late: title bars are up to three lines of text high.
+  // The frame is known only after the window has been shown, which is too late; title bars are up to three lines of
+  // text high.
   const int line = window.fontMetrics().height();
   window.setGeometry(firstGeometry(screen->availableGeometry(), {line / 2, 3 * line, line / 2, line / 2}, wanted));
 }

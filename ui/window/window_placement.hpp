@@ -1,4 +1,4 @@
-// Where a window is at first.
+// The initial place of a window.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,11 +10,11 @@ class QWidget;
 
 namespace footfall::ui {
 
-/// The area of a window within its frame, so that all of it lies in `available`: of the wanted size where that fits, in
-/// the middle.
+/// The area of a window within its frame, so that all of it lies in `available`: centred, with the wanted size where it
+/// fits.
 [[nodiscard]] QRect firstGeometry(const QRect& available, const QMargins& frame, const QSize& wanted);
 
-/// Gives a window that has not been shown yet its first place and size, on the screen that it is to be on.
+/// Sets the initial place and size of a window that has not been shown yet, on its screen.
 void placeAtFirst(QWidget& window, const QSize& wanted);
 
 }  // namespace footfall::ui
