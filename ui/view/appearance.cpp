@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-// The pattern of shaders/surface.frag; y runs down here and up there.
+// The pattern of shaders/surface.frag, where y points down; here it points up.
 bool inked(FillPattern pattern, double x, double y) {
   const auto wrap = [](double value, double period) { return value - period * std::floor(value / period); };
   switch (pattern) {
@@ -47,8 +47,8 @@ Paint layerPaint(std::uint32_t layer) { return {numberedColour(kLayerColours, la
 QColor obstacleEdgeColour() { return {213, 60, 0}; }
 QColor connectionColour() { return {255, 255, 255}; }
 QColor stepColour() { return {255, 220, 60}; }
-QColor gapColour() { return {250, 170, 60}; }    // dashes
-QColor dropColour() { return {240, 110, 190}; }  // arrows: told apart by their shape as well
+QColor gapColour() { return {250, 170, 60}; }    // drawn as dashes
+QColor dropColour() { return {240, 110, 190}; }  // drawn as arrows, so that the shape differs as well
 QColor outlineColour() { return {28, 40, 48}; }
 QColor creaseColour() { return {118, 123, 130}; }
 QColor cellBorderColour() { return {255, 255, 255}; }
@@ -60,7 +60,7 @@ QColor backgroundUpper() { return isDarkTheme() ? QColor(24, 27, 31) : QColor(22
 Paint paleWalkablePaint() { return {QColor(226, 238, 233), FillPattern::Plain}; }
 
 Paint sourcePaint(std::uint32_t triangle) {
-  // Neighbours in the file are often neighbours in space: their numbers are spread.
+  // Neighbours in the file are often neighbours in space, so their numbers are scattered.
   return layerPaint((triangle * 2654435761U >> 16U) % 18);
 }
 
@@ -83,7 +83,7 @@ QColor heatColour(double value) {
 
 namespace {
 
-// In the order of Removal.
+// The order is that of Removal.
 const std::array<RemovalStyle, 7>& removalStyles() {
   static const std::array<RemovalStyle, 7> kStyles = {{
       {Removal::TooSteep,

@@ -1,4 +1,4 @@
-// What things look like, in one place: the view, the legend and the tests ask here.
+// All colours, paints and patterns of the view, its legend and the tests.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace footfall::ui {
 
-/// Drawn over a paint, so that what was removed differs from layers in more than colour. The numbers are those of
-/// shaders/surface.frag.
+/// Patterns are drawn over a paint, so that removed floors differ from layers in more than colour. The numbers are
+/// those of shaders/surface.frag.
 enum class FillPattern : std::uint8_t {
   Plain = 0,
   RisingStripes = 1,
@@ -29,14 +29,14 @@ struct Paint {
   bool operator==(const Paint&) const = default;
 };
 
-/// Walls, ceilings and whatever else faces sideways or down.
+/// The paint of walls, ceilings and all other surfaces that face sideways or down.
 Paint wallPaint();
-/// Floors for which no filter has decided yet.
+/// The paint of floors for which no filter has decided yet.
 Paint undecidedPaint();
-/// Walkable area without layers.
+/// The paint of walkable area without layers.
 Paint walkablePaint();
-/// Layers: six colours that people with the common colour deficiencies can tell apart (Okabe and Ito 2008, without
-/// the vermilion, which is kept for obstacle edges), then the same ones darker and lighter.
+/// The paints of layers: six colours that people with the common colour deficiencies can distinguish (Okabe and Ito
+/// 2008, without the vermilion, which is kept for obstacle edges), then the same ones darker and lighter.
 Paint layerPaint(std::uint32_t layer);
 
 QColor obstacleEdgeColour();
@@ -52,32 +52,33 @@ QColor selectedCellColour();
 QColor backgroundLower();
 QColor backgroundUpper();
 
-/// Walkable area where the reasons for what is not are of interest.
+/// The paint of walkable area in modes that show the reasons of removals.
 Paint paleWalkablePaint();
-/// Pieces of one triangle of the environment; neighbours may share a colour, so their border needs a line.
+/// The paint of pieces of one triangle of the environment. Neighbours may share a colour, so their border needs a line.
 Paint sourcePaint(std::uint32_t triangle);
-/// In wireframes and hidden-line pictures: edges, and what lies between them.
+/// The colours of edges and of the area between them, in wireframes and hidden-line pictures.
 QColor wireColour();
 QColor hiddenLineFill();
-/// From 0 (dark) to 1 (light): viridis, evenly spaced to the eye also with the common colour deficiencies (Smith and
-/// van der Walt 2015).
+/// The colour of a value from 0 (dark) to 1 (light): viridis, perceptually uniform also with the common colour
+/// deficiencies (Smith and van der Walt 2015).
 QColor heatColour(double value);
 
-/// Why floors are not walkable: by the filter that removed them, and for a RadiusFilter by what is too near. Without a
-/// clearance before it, it does not know walls from ledges (NearBorder).
+/// The reasons why floors are not walkable: the filter that removed them, and for a RadiusFilter the kind of border
+/// that is too near. A RadiusFilter without a clearance before it does not distinguish walls from ledges (NearBorder).
 enum class Removal : std::uint8_t { TooSteep, TooLow, NearBorder, NearWall, NearLedge, Unreachable, TooSmall };
 
-/// How floors are shown that were removed for one reason.
+/// The display of floors that were removed for one reason.
 struct RemovalStyle {
   Removal removal{};
   FilterType filter{};
-  QString reason;  ///< for the legend, e.g. "Too steep"
+  QString reason;  ///< name in the legend, e.g. "Too steep"
   Paint paint;
-  Paint vivid;  ///< where only the reasons are of interest
+  Paint vivid;  ///< paint in modes that show only the reasons
 };
 
 const RemovalStyle& removalStyle(Removal removal);
-/// Null for filters that remove no places (or none that are worth a colour); NearBorder for a RadiusFilter.
+/// The style of a filter's removals; NearBorder for a RadiusFilter. Null for filters that remove no places, or none
+/// that need a colour.
 const RemovalStyle* removalStyle(FilterType filter);
 
 /// A small picture of a paint, with the pattern of the view, for legends.

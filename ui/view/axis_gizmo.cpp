@@ -16,10 +16,10 @@ namespace {
 
 constexpr int kSide = 92;
 constexpr double kReach = 32;  // pixels from the middle to the ends
-constexpr double kRadius = 9;  // of the discs
+constexpr double kRadius = 9;  // radius of the discs
 constexpr double kGizmoDegreesPerPixel = 0.6;
 
-/// One of the level's axes (Z up), with the sides of the view at its ends.
+/// One of the level's axes (Z up), with the view sides at its ends.
 struct Axis {
   QVector3D direction;
   ViewSide side, far;
@@ -29,7 +29,7 @@ const std::array<Axis, 3> kAxes = {{{{1, 0, 0}, ViewSide::Right, ViewSide::Left}
                                     {{0, 1, 0}, ViewSide::Back, ViewSide::Front},
                                     {{0, 0, 1}, ViewSide::Top, ViewSide::Bottom}}};
 
-// Okabe and Ito's vermilion, green and blue, for the file's x, y and z.
+// Vermilion, green and blue of Okabe and Ito, for the file's x, y and z.
 const std::array<QColor, 3> kColours = {QColor(213, 94, 0), QColor(0, 138, 100), QColor(0, 114, 178)};
 
 QString helpOf(ViewSide side) {
@@ -57,7 +57,7 @@ AxisGizmo::AxisGizmo(LevelView& view) : QWidget(&view), view_(view), camera_(vie
   setAccessibleName(tr("Axes of the view"));
   setFixedSize(kSide, kSide);
   setMouseTracking(true);
-  setFocusPolicy(Qt::NoFocus);  // the keys belong to the view
+  setFocusPolicy(Qt::NoFocus);  // the view keeps the keyboard focus
   connect(&view_, &QOpenGLWidget::frameSwapped, this, [this] {
     if (camera_.pose().orientation != painted_) update();
   });

@@ -1,4 +1,4 @@
-// The file's three axes as the view sees them; a click on one looks along it, dragging turns.
+// The gizmo of the file's three axes. A click on an axis turns the camera along it; dragging turns freely.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,23 +16,23 @@
 
 namespace footfall::ui {
 
-/// Lies in a corner of the view and follows its camera. What it does there are keys and commands for, too.
+/// Lies in a corner of the view and follows its camera. All its actions also have keys and commands.
 class AxisGizmo : public QWidget {
   Q_OBJECT
 
  public:
-  /// A child of the view.
+  /// The gizmo becomes a child of the view.
   explicit AxisGizmo(LevelView& view);
 
   void setUnits(const LevelUnits& units);
 
-  /// Where the end of an axis is drawn; the nearer ones come last.
+  /// The drawn end of an axis; nearer ends come last.
   struct End {
     ViewSide side = ViewSide::Top;
-    QString letter;  ///< of the file's axis that points there; empty at the ends that one points away from
+    QString letter;  ///< letter of the file's axis that points there; empty at the opposite ends
     QColor colour;
     QPointF place;
-    double depth = 0;  ///< towards the eye
+    double depth = 0;  ///< larger values are nearer to the eye
   };
   [[nodiscard]] std::vector<End> ends() const;
 
@@ -51,7 +51,7 @@ class AxisGizmo : public QWidget {
   CameraController& camera_;
   LevelUnits units_;
   std::array<double, 4> painted_{};  ///< the orientation that is shown
-  std::optional<QPoint> pressed_;    ///< a click may have begun
+  std::optional<QPoint> pressed_;    ///< set while a press may become a click
   QPoint last_;
   std::optional<ViewSide> hovered_;
 };

@@ -9,11 +9,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kWallNormalZ = 0.02;  // steeper is a wall, as in environments that are loaded
+constexpr double kWallNormalZ = 0.02;  // steeper surfaces are walls, as in environments that are loaded
 
 std::array<double, 3> numbersOf(const Vec3& p) { return {p.x, p.y, p.z}; }
 
-// Whether the ray can meet something in the box of a piece.
+// Returns whether the ray can meet a triangle in the box of a piece.
 bool meetsBox(const Ray& ray, const BackdropPiece& piece) {
   const std::array<double, 3> from = numbersOf(ray.origin), along = numbersOf(ray.direction);
   double first = 0, last = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ bool meetsBox(const Ray& ray, const BackdropPiece& piece) {
   return first <= last * (1 + 1e-6) + 1e-6;
 }
 
-// Nearest of some triangles of a piece.
+// Finds the nearest of some triangles of a piece.
 void meetTriangles(const Ray& ray, const BackdropPiece& piece, Backdrop::Range range, const ShownSpace& shown,
                    bool backs, std::optional<double>& nearest) {
   for (std::size_t t = range.first; t < range.first + range.second; ++t) {

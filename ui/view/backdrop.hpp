@@ -1,4 +1,4 @@
-// What lies around a level that is a part of an environment too large to be loaded: a picture, and nothing else.
+// The surroundings of a level that is a part of an environment too large to be loaded. They are only displayed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace footfall::ui {
 
-/// Triangles that come and go together; in the scene's coordinates.
+/// Triangles that are loaded and dropped together, in the scene's coordinates.
 struct BackdropPiece {
-  std::vector<SurfaceVertex> surface;  ///< three a triangle; upward facing ones have alpha 0
+  std::vector<SurfaceVertex> surface;  ///< three for each triangle; upward facing ones have alpha 0
   std::array<float, 3> lower{}, upper{};
 
   [[nodiscard]] std::size_t triangles() const { return surface.size() / 3; }
@@ -26,19 +26,19 @@ using BackdropPiecePtr = std::shared_ptr<const BackdropPiece>;
 /// Adds a triangle of the environment.
 void addBackdropTriangle(BackdropPiece& piece, const std::array<Vec3, 3>& corners, const Vec3& centre, bool bothSides);
 
-/// A picture that is complete at any time: where no blocks are loaded, their few coarse triangles stand for them.
+/// A backdrop that is complete at any time: blocks that are not loaded are shown by their few coarse triangles.
 struct Backdrop {
-  /// From, and how many.
+  /// The first triangle, and the number of triangles.
   using Range = std::pair<std::size_t, std::size_t>;
 
-  BackdropPiecePtr coarse;               ///< of all blocks
-  std::vector<Range> shownCoarse;        ///< triangles of it that are drawn
-  std::vector<Range> coarseAlone;        ///< the same while nothing is drawn in full
+  BackdropPiecePtr coarse;               ///< coarse triangles of all blocks
+  std::vector<Range> shownCoarse;        ///< coarse triangles that are drawn
+  std::vector<Range> coarseAlone;        ///< the drawn ones while no block is drawn in full
   std::vector<BackdropPiecePtr> loaded;  ///< blocks in full
 };
 using BackdropPtr = std::shared_ptr<const Backdrop>;
 
-/// How far a ray goes to the first triangle of what is shown; those seen from behind count with `backs` alone.
+/// The distance along a ray to the first shown triangle; triangles seen from behind count only with `backs`.
 std::optional<double> meetBackdrop(const Ray& ray, const Backdrop& backdrop, const ShownSpace& shown, bool backs);
 
 }  // namespace footfall::ui

@@ -18,11 +18,11 @@ using qglviewer::Camera;
 using qglviewer::Quaternion;
 using qglviewer::Vec;
 
-// Pivots are set on the camera's frame: Camera::setPivotPoint() would change the scale of parallel projections, which
-// is the distance from the pivot here.
+// Pivots are set on the camera's frame, because Camera::setPivotPoint() would change the scale of parallel projections,
+// which is the distance from the pivot here.
 
-constexpr double kLeastFrame = 0.01;  // of the scene's radius: nearer, there is nothing but one surface
-constexpr double kSteepest = 0.9995;  // sine of the angle to the ground, when turning
+constexpr double kLeastFrame = 0.01;  // share of the scene's radius: nearer, only one surface is visible
+constexpr double kSteepest = 0.9995;  // sine of the largest angle to the ground when turning
 
 double radians(double degrees) { return degrees * M_PI / 180; }
 
@@ -54,7 +54,7 @@ void CameraController::replaceScene(std::shared_ptr<const EnvironmentGeometry> s
   scene_ = std::move(scene);
   glide_.setOrigin(origin());
   if (!scene_) return;
-  // What has grown must not be cut off behind.
+  // A larger scene must not be cut off behind.
   viewer_.setSceneRadius(std::max({viewer_.sceneRadius(), toVec(scene_->lower).norm(), toVec(scene_->upper).norm()}));
 }
 
@@ -100,7 +100,7 @@ void CameraController::zoomBy(double factor) {
 
 void CameraController::zoomAt(double factor, const QPointF& place) {
   endGlide();
-  // Towards what is seen there; where nothing is, towards the place at the pivot's distance.
+  // Zooms towards the surface under the mouse; without a surface, towards the place at the pivot's distance.
   const Ray ray = sightAt(camera(), place.toPoint());
   Vec target;
   if (const std::optional<Vec3> seen = seen_(ray)) {
@@ -113,7 +113,7 @@ void CameraController::zoomAt(double factor, const QPointF& place) {
     const double depth = (camera().pivotPoint() - from) * ahead;
     target = rate != 0 ? from + along * (depth / rate) : camera().pivotPoint();
   }
-  // Everything is scaled about the target; the pivot goes along, and with it the scale of parallel projections.
+  // The view is scaled about the target; the pivot moves with it, and so does the scale of parallel projections.
   camera().frame()->setPivotPoint(target + (camera().pivotPoint() - target) / factor);
   camera().setPosition(target + (camera().position() - target) / factor);
   step();
@@ -143,7 +143,7 @@ void CameraController::lookBy(double sideways, double up) {
   step();
 }
 
-// With the pivot.
+// Moves the camera together with the pivot.
 void CameraController::shift(const Vec& way) {
   camera().setPosition(camera().position() + way);
   camera().frame()->setPivotPoint(camera().pivotPoint() + way);
@@ -175,12 +175,12 @@ bool CameraController::orthographic() const { return camera().type() == Camera::
 
 void CameraController::setOrthographic(bool on) {
   endGlide();
-  // What is at the pivot keeps its size: libQGLViewer takes the scale from there.
+  // Objects at the pivot keep their size, because libQGLViewer derives the scale from there.
   camera().setType(on ? Camera::ORTHOGRAPHIC : Camera::PERSPECTIVE);
   jump();
 }
 
-// Jumps: the camera is placed at once, and then glides there.
+// The camera is placed at once, and then glides there.
 void CameraController::lookAlong(const Vec& direction, const Vec& up, bool orthographic) {
   endGlide();
   const CameraPose from = glide_.now();
@@ -232,7 +232,7 @@ void CameraController::standBefore(const std::vector<Vec3>& points) {
   fitCamera(camera(), points, viewer_.size(), forPicture_ ? std::vector<QRect>() : covered_);
 }
 
-// --- What to have in sight
+// --- Bringing things into view
 
 void CameraController::fitTo(const std::vector<Vec3>& points) {
   endGlide();
@@ -285,7 +285,7 @@ void CameraController::frameSelection() {
   }
   const std::optional<Vec> pointed = pointedAt(viewer_.rect());
   if (!pointed) return fit();
-  // Twice as near, at least.
+  // The distance is at least halved.
   const Vec place = *pointed;
   const double reach = (place - camera().position()).norm() * std::tan(camera().fieldOfView() / 2);
   const double half = reach / 2 / std::sqrt(3.0);
@@ -319,13 +319,13 @@ void CameraController::resized() {
   fitWhenSized_ = false;
 }
 
-// A dock has come or gone: what was at a place of the screen stays there, as large as it was, at the depth of what the
-// mouse points at (else the pivot's). Perspective moves what is nearer or farther.
+// A dock was shown or hidden. Every place of the screen keeps its content and scale, at the depth of the surface under
+// the mouse (else the pivot's); perspective moves nearer and farther surfaces.
 void CameraController::keepPicture(const Placed& before, const Placed& now) {
   endGlide();
   if (before.inWindow.height() <= 0 || now.inWindow.height() <= 0) return;
   const Vec ahead = camera().viewDirection();
-  // In a parallel projection, libQGLViewer takes the scale from the pivot's depth and from the shorter side.
+  // libQGLViewer derives the scale of a parallel projection from the pivot's depth and from the shorter side.
   const std::optional<Vec> pointed =
       orthographic() ? std::nullopt : pointedAt(before.inWindow.translated(-now.inWindow.topLeft()));
   const Vec kept = pointed.value_or(camera().pivotPoint());

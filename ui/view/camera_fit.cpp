@@ -21,9 +21,9 @@ namespace {
 using qglviewer::Camera;
 using qglviewer::Vec;
 
-constexpr double kMargin = 1.08;  // around the scene when everything is to be in sight
+constexpr double kMargin = 1.08;  // factor around a scene that is shown whole
 
-// Around points in a plane, counter-clockwise (Andrew 1979).
+// The convex hull of points in a plane, counter-clockwise (Andrew 1979).
 QPolygonF hullOf(std::vector<QPointF> points) {
   std::ranges::sort(points,
                     [](const QPointF& a, const QPointF& b) { return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y(); });
@@ -43,7 +43,8 @@ QPolygonF hullOf(std::vector<QPointF> points) {
   return hull;
 }
 
-// Ways to leave everything in `covered` outside, by one margin of the view for each; those that leave most come first.
+// The ways to exclude everything in `covered` by one margin of the view for each rectangle; those that leave most of
+// the view come first.
 std::vector<QMarginsF> marginsAround(const std::vector<QRect>& covered, const QSize& view) {
   std::vector<QMarginsF> ways{{}};
   for (const QRect& rect : covered) {
@@ -60,7 +61,7 @@ std::vector<QMarginsF> marginsAround(const std::vector<QRect>& covered, const QS
   const auto left = [&](const QMarginsF& m) {
     return std::max(0.0, view.width() - m.left() - m.right()) * std::max(0.0, view.height() - m.top() - m.bottom());
   };
-  constexpr double kLeast = 0.25;  // of the view: with less, one would see little of much
+  constexpr double kLeast = 0.25;  // least share of the view: with less, little would be visible
   std::erase_if(ways, [&](const QMarginsF& way) { return left(way) < kLeast * view.width() * view.height(); });
   std::ranges::stable_sort(ways, [&](const QMarginsF& a, const QMarginsF& b) { return left(a) > left(b); });
   return ways;
@@ -83,12 +84,12 @@ void standBefore(Camera& camera, const std::vector<Vec3>& points, const QSize& v
   const Vec up = camera.upVector();
   const Vec ahead = camera.viewDirection();
   const bool parallel = camera.type() == Camera::ORTHOGRAPHIC;
-  // In a parallel projection, libQGLViewer takes the scale from the shorter side.
+  // libQGLViewer derives the scale of a parallel projection from the shorter side.
   const double shorter = parallel ? std::min(1.0, view.width() / std::max(1.0, static_cast<double>(view.height()))) : 1;
   const double tanVertical = std::tan(camera.fieldOfView() / 2) / kMargin / std::max(0.1, shorter);
   const double tanHorizontal =
       tanVertical * std::max(0.1, view.width() / std::max(1.0, static_cast<double>(view.height())));
-  // Of the sides of the view that are left, from the middle: to the right and up, and to the left and down.
+  // The shares of the remaining view from its middle: to the right and up, and to the left and down.
   const auto part = [](double margin, int all) { return 1 - 2 * margin / std::max(1, all); };
   const std::array<double, 2> tanAbove{tanHorizontal * part(free.right(), view.width()),
                                        tanVertical * part(free.top(), view.height())};
@@ -96,7 +97,7 @@ void standBefore(Camera& camera, const std::vector<Vec3>& points, const QSize& v
                                        tanVertical * part(free.bottom(), view.height())};
 
   // Each side of the view's pyramid (or prism) touches the scene's outermost point: along each of the two axes, p is in
-  // sight of the eye e when |p - e| <= tan * (depth of p - depth of e).
+  // view of the eye e when |p - e| <= tan * (depth of p - depth of e).
   constexpr double kLowest = std::numeric_limits<double>::lowest();
   std::array<double, 2> above{kLowest, kLowest};
   std::array<double, 2> below{kLowest, kLowest};
@@ -117,7 +118,7 @@ void standBefore(Camera& camera, const std::vector<Vec3>& points, const QSize& v
   };
   const double reach = std::max(reachOf(0), reachOf(1));
   const double middle = (nearest + farthest) / 2;
-  // In a parallel projection the distance from the pivot only sets the scale.
+  // The distance from the pivot only sets the scale of a parallel projection.
   const double scale = std::max(reach, camera.sceneRadius() * 1e-3);
   const double eyeDepth = parallel ? middle - scale : std::min(-reach, nearest);
   const auto sidewaysAt = [&](double away) {
@@ -127,7 +128,7 @@ void standBefore(Camera& camera, const std::vector<Vec3>& points, const QSize& v
     return right * along(0) + up * along(1);
   };
   const Vec sideways = sidewaysAt(parallel ? scale : -eyeDepth);
-  // The pivot is in the middle of what is left of the view.
+  // The pivot is in the middle of the remaining view.
   const double away = parallel ? scale : middle - eyeDepth;
   const Vec aside = right * ((tanAbove[0] - tanBelow[0]) / 2 * away) + up * ((tanAbove[1] - tanBelow[1]) / 2 * away);
   camera.frame()->setPivotPoint(sideways + aside + ahead * middle);

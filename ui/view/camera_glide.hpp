@@ -1,4 +1,4 @@
-// Jumps of the camera that take a moment.
+// Animates jumps of the camera.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,7 +13,7 @@
 
 namespace footfall::ui {
 
-/// Moves the camera of a viewer from a pose to another one, so that one sees where it goes. Poses are in the
+/// Moves the camera of a viewer between poses, so that the user sees the direction of the jump. Poses are in the
 /// environment's coordinates.
 class CameraGlide : public QObject {
   Q_OBJECT
@@ -21,27 +21,27 @@ class CameraGlide : public QObject {
  public:
   explicit CameraGlide(QGLViewer& viewer);
 
-  /// Where the viewer's own coordinates begin.
+  /// Sets the origin of the viewer's coordinates.
   void setOrigin(const Vec3& origin) { origin_ = origin; }
-  /// Off, as at first: jumps take no time.
+  /// Sets whether jumps take time; off at first.
   void setAnimated(bool on) { animated_ = on; }
-  /// For a while, jumps take no time.
+  /// Suspends the animation temporarily.
   void setStill(bool on) { still_ = on; }
 
   [[nodiscard]] CameraPose now() const;
-  /// Where the camera is, or where it is going.
+  /// The pose of the camera, or the target of its glide.
   [[nodiscard]] CameraPose target() const { return way_ ? way_->to : now(); }
   [[nodiscard]] bool isGliding() const { return way_.has_value(); }
-  /// Puts the camera there, at once and without a signal.
+  /// Places the camera at once and without a signal.
   void place(const CameraPose& pose);
-  /// The camera has been placed where it is to go, and comes there from `from`.
+  /// Glides from `from` to the pose in which the camera has been placed.
   void glideFrom(const CameraPose& from);
-  /// A camera on its way is where it is going.
+  /// Ends the glide at its target.
   void end();
 
  signals:
   void moved();
-  /// Nothing moves any more.
+  /// Emitted when nothing moves any more.
   void arrived();
 
  private:

@@ -8,10 +8,10 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kKeyShare = 0.08;              // of the distance to the pivot, with an arrow key
+constexpr double kKeyShare = 0.08;              // share of the distance to the pivot, for an arrow key
 constexpr double kKeyDegrees = 7.5;             // with Ctrl or Shift and an arrow key
-constexpr double kWheelFactor = 1.2;            // with a click of the wheel
-constexpr double kFingerDegreesPerPixel = 0.4;  // of two fingers on a trackpad
+constexpr double kWheelFactor = 1.2;            // for a click of the wheel
+constexpr double kFingerDegreesPerPixel = 0.4;  // for two fingers on a trackpad
 
 }  // namespace
 
@@ -53,7 +53,7 @@ void steerByWheel(CameraController& camera, const QWheelEvent& event) {
     }
     return;
   }
-  // With Alt, some systems turn the wheel by ninety degrees.
+  // Some systems turn the wheel's axis by ninety degrees while Alt is held.
   const int delta = event.angleDelta().y() != 0 ? event.angleDelta().y() : event.angleDelta().x();
   if (delta != 0) camera.zoomAt(std::pow(kWheelFactor, delta / 120.0), event.position());
 }

@@ -1,4 +1,4 @@
-// What keys, wheel and trackpad do to the camera.
+// Moves the camera by keys, wheel and trackpad.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,9 +10,9 @@
 
 namespace footfall::ui {
 
-/// The arrow keys: move, or turn with Ctrl or Shift; false for other keys.
+/// Handles the arrow keys, which move, or turn with Ctrl or Shift; returns false for other keys.
 bool steerByKey(CameraController& camera, const QKeyEvent& event);
-/// A wheel zooms about the mouse. Two fingers on a trackpad turn, with Shift they move, with Ctrl they zoom.
+/// A wheel zooms at the mouse. Two fingers on a trackpad turn, with Shift they move, with Ctrl they zoom.
 void steerByWheel(CameraController& camera, const QWheelEvent& event);
 void steerByPinch(CameraController& camera, const QNativeGestureEvent& event);
 

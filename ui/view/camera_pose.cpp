@@ -31,7 +31,7 @@ CameraPose poseOf(const Camera& camera, const Vec3& origin) {
 }
 
 void setPose(Camera& camera, const CameraPose& pose, const Vec3& origin) {
-  camera.setType(Camera::PERSPECTIVE);  // parallel projections then take their scale anew
+  camera.setType(Camera::PERSPECTIVE);  // parallel projections then compute their scale anew
   camera.frame()->setPivotPoint(toVec(pose.pivot - origin));
   camera.setOrientation(orientationOf(pose));
   camera.setPosition(toVec(pose.position - origin));
@@ -41,7 +41,7 @@ void setPose(Camera& camera, const CameraPose& pose, const Vec3& origin) {
 CameraPose between(const CameraPose& from, const CameraPose& to, double part) {
   const Quaternion first = orientationOf(from);
   const Quaternion last = orientationOf(to);
-  // The way of the pivot, of the turn about it, and of where the eye is as seen from it.
+  // Interpolates the pivot, the rotation about it, and the position of the eye relative to it.
   const Vec pivot = mixed(toVec(from.pivot), toVec(to.pivot), part);
   const Vec eye = mixed(first.inverseRotate(toVec(from.position) - toVec(from.pivot)),
                         last.inverseRotate(toVec(to.position) - toVec(to.pivot)), part);

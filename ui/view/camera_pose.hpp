@@ -1,5 +1,5 @@
-// Where one looks from: poses, sides and boxes in the environment's coordinates, and what they are for libQGLViewer's
-// camera, which is in the scene's.
+// Camera poses, view sides and boxes in the environment's coordinates, and their conversion to libQGLViewer's camera,
+// which uses the scene's coordinates.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -19,7 +19,7 @@ namespace footfall::ui {
 
 struct Ray;
 
-/// Where the camera is, in the environment's coordinates; for sessions.
+/// The pose of the camera in the environment's coordinates; sessions save it.
 struct CameraPose {
   Vec3 position, pivot;
   std::array<double, 4> orientation{0, 0, 0, 1};  ///< quaternion x, y, z, w
@@ -33,7 +33,7 @@ struct SceneBox {
   bool operator==(const SceneBox&) const = default;
 };
 
-/// Where one looks from: along an axis of the environment, X to the right and Y to the back.
+/// A view along an axis of the environment, with X to the right and Y to the back.
 enum class ViewSide { Top, Bottom, Front, Back, Left, Right };
 
 inline qglviewer::Vec toVec(const Vec3& p) { return {p.x, p.y, p.z}; }
@@ -43,7 +43,7 @@ inline Vec3 fromVec(const qglviewer::Vec& p) { return {p.x, p.y, p.z}; }
 CameraPose poseOf(const qglviewer::Camera& camera, const Vec3& origin);
 void setPose(qglviewer::Camera& camera, const CameraPose& pose, const Vec3& origin);
 
-/// The pose after `part` of the way from one to the other: the pivot goes straight, and the eye turns about it.
+/// The pose after the share `part` of the way: the pivot moves in a straight line, and the eye turns about it.
 CameraPose between(const CameraPose& from, const CameraPose& to, double part);
 
 QMatrix4x4 modelViewProjection(const qglviewer::Camera& camera);

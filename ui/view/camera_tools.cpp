@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kFlySeconds = 15;  // from one end of the level to the other
+constexpr double kFlySeconds = 15;  // time to fly from one end of the level to the other
 
 Json toJson(const Vec3& v) { return {v.x, v.y, v.z}; }
 
@@ -99,7 +99,7 @@ void CameraTools::addMoves(const FeatureHost& host) {
                                       tr("Bring what is selected, or what the mouse points at, into sight"),
                                       {Qt::Key_Home, Qt::Key_Period}},
                                      [this](bool) { camera_.frameSelection(); });
-  frame->setShortcutContext(Qt::WidgetWithChildrenShortcut);  // Home has another use in lists
+  frame->setShortcutContext(Qt::WidgetWithChildrenShortcut);  // lists use Home themselves
   view_.addAction(frame);
   Command fly{QStringLiteral("view.fly"),
               CommandMenu::Tools,
@@ -184,7 +184,7 @@ void CameraTools::fillMenu() {
   menu_->addMenu(forget);
 }
 
-// In the first slot that is free.
+// The view is saved in the first free slot.
 void CameraTools::askForName() {
   int slot = 1;
   while (slot < kBookmarks && bookmarks_.contains(slot)) ++slot;

@@ -1,4 +1,4 @@
-// The camera's commands, its bookmarks, the gizmo with the axes, and flying.
+// The camera's commands, its bookmarks, the axis gizmo, and flying.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -30,9 +30,9 @@ class CameraTools : public QObject {
 
   CameraTools(const FeatureHost& host, LevelView& view, ViewLayout& layout);
 
-  /// Whether somebody sits in front of it: only then the camera may glide. At first nobody does.
+  /// Sets whether a person uses the window; only then the camera may glide. Off at first.
   void setInteractive(bool on);
-  /// Slots count from 1 to kBookmarks. An empty name: "View 3".
+  /// Saves a bookmark. Slots count from 1 to kBookmarks. An empty name becomes "View 3".
   void keepBookmark(int slot, const QString& name = {});
   void recallBookmark(int slot);
   [[nodiscard]] const std::map<int, Bookmark>& bookmarks() const { return bookmarks_; }

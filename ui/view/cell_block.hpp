@@ -1,4 +1,4 @@
-// A parallel block as the window knows it, before, during and after its run.
+// A parallel block before, during and after its run.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,16 +13,16 @@
 
 namespace footfall::ui {
 
-/// A part of a run beside its parallel blocks. Steps that came from the cache are none.
+/// A part of a run outside of its parallel blocks. Cached steps are not included.
 struct RunPart {
-  enum class Kind { Start, Step, Finish };  ///< the first state, a filter, the navigation mesh
+  enum class Kind { Start, Step, Finish };  ///< Start: the first state; Step: a filter; Finish: the navigation mesh
   Kind kind = Kind::Step;
-  std::string filter;  ///< its name; empty for the other kinds
+  std::string filter;  ///< name of the filter; empty for the other kinds
   double startMs = 0, endMs = 0;
-  double cpuMs = -1;  ///< of the whole process; negative: not known
+  double cpuMs = -1;  ///< processor time of the whole process; negative: not known
 };
 
-/// What a finished run took.
+/// The times of a finished run.
 struct RunFigures {
   RunTimes times;
   int threads = 1;
@@ -30,13 +30,13 @@ struct RunFigures {
   ProcessorUse processors = {};
 };
 
-/// The processes that ran a block's cells, where these are others than the editor.
+/// The processes that ran a block's cells, where these are not the editor.
 struct CellRanks {
   int own = 0;               ///< threads of the editor, which have the first numbers
-  std::vector<int> threads;  ///< of each rank; empty: the editor ran the cells
+  std::vector<int> threads;  ///< threads of each rank; empty: the editor ran the cells
 
   [[nodiscard]] bool empty() const { return threads.empty(); }
-  /// Whose a thread is, and which of its own; rank -1: the editor.
+  /// The rank of a thread and its number there; rank -1: the editor.
   struct Place {
     int rank = -1, thread = 0;
   };
@@ -44,29 +44,29 @@ struct CellRanks {
 };
 
 struct CellBlock {
-  /// Where the figures come from: the last run, an earlier one whose result the last run took from the cache, or runs
-  /// that were made to measure.
+  /// The origin of the figures: the last run, an earlier run whose result the last one took from the cache, or measured
+  /// runs.
   enum class Origin { Run, Cache, Measured };
 
-  BlockReport report;          ///< cells that have not finished have bounds and costs only
+  BlockReport report;          ///< unfinished cells have bounds and costs only
   std::vector<char> finished;  ///< for each cell
-  /// Null while the block runs, and before. Blocks of one run share it.
+  /// Null before and during the run. Blocks of one run share it.
   std::shared_ptr<const RunFigures> run;
   CellRanks ranks = {};
   Origin origin = Origin::Run;
 
   [[nodiscard]] bool complete() const { return run != nullptr; }
-  /// A cell has finished.
+  /// Returns whether a cell has finished.
   [[nodiscard]] bool begun() const;
-  /// One more than the largest thread that has worked on it, at least that of its run.
+  /// The largest number of a thread that worked on the block, plus one; at least the threads of its run.
   [[nodiscard]] int threads() const;
-  /// How long each rank was busy with cells, its threads together; empty where there are no ranks.
+  /// The time that each rank spent on cells, its threads together; empty where there are no ranks.
   [[nodiscard]] std::vector<double> busyMsOfRanks() const;
 };
 
 using CellBlocks = std::vector<CellBlock>;
 
-/// A cell among the blocks that are shown.
+/// A cell of the shown blocks.
 struct CellId {
   std::size_t block = 0, cell = 0;
   auto operator<=>(const CellId&) const = default;

@@ -23,11 +23,11 @@ struct Box {
   }
 };
 
-/// Which cells can have a part of a rectangle: the plan in equal buckets, each with its cells.
+/// Finds the cells that may overlap a rectangle: the plan in equal buckets, each with its cells.
 class CellLookup {
  public:
   CellLookup(const std::vector<CellBounds>& cells, const Box& box) : cells_(cells), box_(box) {
-    // About as many buckets as cells; strategies make no cells that are much longer than the others.
+    // There are about as many buckets as cells, because strategies make no cells that are much longer than the others.
     side_ = std::clamp(static_cast<int>(std::ceil(std::sqrt(static_cast<double>(cells.size())))), 1, 256);
     buckets_.resize(static_cast<std::size_t>(side_) * static_cast<std::size_t>(side_));
     for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -36,7 +36,7 @@ class CellLookup {
     }
   }
 
-  /// Cells whose rectangle overlaps the box's with an area, and that take floors whose lowest corner is the box's.
+  /// The cells whose rectangle overlaps the box's in an area, and whose heights contain the lowest corner of the box.
   void find(const Box& box, std::vector<std::size_t>& found) {
     found.clear();
     visitBuckets(box.lower, box.upper, [&](std::vector<std::size_t>& bucket) {
@@ -97,13 +97,13 @@ class Clipper {
   static Vec3 cross(const Vec3& a, const Vec3& b, int axis, double coordinate) {
     const double t = (coordinate - component(a, axis)) / (component(b, axis) - component(a, axis));
     Vec3 p{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
-    (axis == 0 ? p.x : p.y) = coordinate;  // exactly, so that the border can be told from other edges
+    (axis == 0 ? p.x : p.y) = coordinate;  // set exactly, so that borders can be distinguished from other edges
     return p;
   }
   std::vector<Vec3> kept_;
 };
 
-/// Collects what the cells are drawn with.
+/// Collects the drawn geometry of the cells.
 class Draper {
  public:
   Draper(const Environment& environment, const Vec3& centre, const std::vector<CellBounds>& cells)
@@ -179,7 +179,7 @@ class Draper {
     }
   }
 
-  // Between heights no floor is cut: the border runs along the edges of floors that lie in different cells.
+  // Heights cut no floor: the border runs along the edges of floors that lie in different cells.
   void addHeightBorders(CellLookup& lookup, std::size_t t, double lowest) {
     const Triangle& triangle = environment_.triangles[t];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -226,12 +226,12 @@ class Draper {
   std::vector<std::vector<CellVertex>> pieces_;
   std::vector<std::vector<std::uint32_t>> sources_;
   std::vector<LineSegment> borders_;
-  std::unordered_map<std::uint64_t, double> lowestAtEdge_;  // of the first triangle at each edge
+  std::unordered_map<std::uint64_t, double> lowestAtEdge_;  // for the first triangle at each edge
 };
 
 struct Hit {
   double distance = kInfinity;
-  double lowest = 0;  // corner of the triangle
+  double lowest = 0;  // lowest corner of the triangle
 };
 
 }  // namespace
@@ -296,7 +296,7 @@ std::optional<std::size_t> pickCell(const Ray& ray, const EnvironmentGeometry& e
   const auto inside = [](double value, float lower, float upper) { return value >= lower && value <= upper; };
   for (std::size_t c = 0; c < geometry.boxes.size(); ++c) {
     const CellBox& box = geometry.boxes[c];
-    // In z as floors are assigned: half-open, and the topmost cell has its own top.
+    // Heights are half-open, as in the assignment of floors to cells, and the topmost cell includes its top.
     const bool high = nearest.lowest < box.upper[2] || box.upper[2] >= static_cast<float>(environment.upper.z);
     if (inside(place.x, box.lower[0], box.upper[0]) && inside(place.y, box.lower[1], box.upper[1]) &&
         nearest.lowest >= box.lower[2] && high)

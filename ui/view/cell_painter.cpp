@@ -51,7 +51,7 @@ void CellPainter::draw(const SceneContent& scene, const SceneCamera& camera, boo
   cells_.draw({camera.modelViewProjection, camera.clip, camera.devicePixelRatio, strokes_.leaveCovers()},
               strokes_.slice());
   lines_.begin(camera);
-  // Many cells have thin borders, or there would be nothing else to see.
+  // Many cells get thin borders, which would hide everything else otherwise.
   constexpr float kMany = 40;
   const auto count = static_cast<float>(geometry()->boxes.size());
   const float pixel = camera.devicePixelRatio * std::clamp(std::sqrt(kMany / count), 0.35F, 1.0F);

@@ -1,4 +1,4 @@
-// Draws the cells of a parallel block over a scene: all of them, their borders, and those that stand out.
+// Draws the cells of a parallel block over a scene: all cells, their borders, and the highlighted ones.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace footfall::ui {
 
-/// Cells that stand out.
+/// Highlighted cells.
 struct MarkedCells {
   std::optional<std::size_t> hovered, selected;
   bool operator==(const MarkedCells&) const = default;
@@ -25,7 +25,7 @@ class CellPainter {
  public:
   CellPainter(SceneStrokes& strokes, LinePainter& lines) : strokes_(strokes), lines_(lines) {}
 
-  /// Returns an empty text, or why the program cannot be built.
+  /// Returns an empty text, or the reason why the program cannot be built.
   QString initialize();
   void release();
 
@@ -33,19 +33,19 @@ class CellPainter {
   void setColours(CellColours colours) { cells_.setColours(std::move(colours)); }
   void setMarked(const MarkedCells& marked) { marked_ = marked; }
   [[nodiscard]] const std::shared_ptr<const CellGeometry>& geometry() const { return cells_.geometry(); }
-  /// Another number after every change of the colours.
+  /// A number that differs after every change of the colours.
   [[nodiscard]] int version() const { return cells_.version(); }
   [[nodiscard]] bool isShown(const SceneParts& parts) const { return parts.cells && geometry(); }
 
-  /// Uploads borders of cells that have been set. To be called before each frame.
+  /// Uploads borders of cells that have been set. Called before each frame.
   void uploadBorders();
-  /// Over the surfaces and under their lines: what is walkable can still be seen by its outline.
+  /// Draws over the surfaces and under their lines, so that outlines of the walkable area stay visible.
   void draw(const SceneContent& scene, const SceneCamera& camera, bool outlines);
-  /// Through everything, so that a cell behind a wall is found as well.
+  /// Draws through everything, so that a cell behind a wall is visible as well.
   void drawMarked(const SceneCamera& camera);
 
  private:
-  /// All that decides which floors of cells are hidden.
+  /// The state that determines which floors of cells are hidden.
   struct Kinds {
     std::shared_ptr<const EnvironmentGeometry> environment;
     std::shared_ptr<const EnvironmentLayers> layers;

@@ -9,7 +9,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kTextureWidth = 256;
-// What lies under the colours stays visible, and yet they look as in the legend.
+// The surface under the colours stays visible, and the colours still look as in the legend.
 constexpr float kOpacity = 0.86F;
 
 }  // namespace
@@ -106,10 +106,10 @@ void CellRenderer::drawRange(const Look& look, std::size_t first, std::size_t co
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture_);
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // keeps the window opaque
   glDepthMask(GL_FALSE);
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-1, -4);  // over the floors in the same planes
+  glPolygonOffset(-1, -4);  // above the floors in the same planes
   const QOpenGLVertexArrayObject::Binder bound(&array_);
   glDrawArrays(GL_TRIANGLES, static_cast<GLint>(first), static_cast<GLsizei>(count));
   glDisable(GL_POLYGON_OFFSET_FILL);

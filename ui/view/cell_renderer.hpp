@@ -19,13 +19,13 @@
 
 namespace footfall::ui {
 
-/// One for each cell; nothing where the cell has no figure yet.
+/// A colour for each cell; empty where the cell has no figure yet.
 using CellColours = std::vector<std::optional<QColor>>;
 
-/// Every member but setColours() and setGeometry() needs the OpenGL context of initialize() to be current.
+/// All members except setColours() and setGeometry() need the OpenGL context of initialize() to be current.
 class CellRenderer : protected QOpenGLExtraFunctions {
  public:
-  /// How a frame sees the cells.
+  /// The camera and state of a frame.
   struct Look {
     QMatrix4x4 modelViewProjection;
     ClipPlanes clip;
@@ -37,19 +37,19 @@ class CellRenderer : protected QOpenGLExtraFunctions {
   void release();
   [[nodiscard]] QOpenGLShaderProgram& program() { return program_; }
 
-  /// Uploaded with the next draw. Null: no cells.
+  /// The geometry is uploaded with the next draw. Null: no cells.
   void setGeometry(std::shared_ptr<const CellGeometry> geometry);
   void setColours(CellColours colours);
   [[nodiscard]] const std::shared_ptr<const CellGeometry>& geometry() const { return geometry_; }
-  /// Says for each triangle of the environment whether it is a cover or hidden: kCellOnCover, kCellHidden, or both.
+  /// Returns the flags of a triangle of the environment that is a cover or hidden: kCellOnCover, kCellHidden, or both.
   using KindOf = std::function<std::uint32_t(std::uint32_t source)>;
   void setKinds(KindOf kindOf);
-  /// Another number after every change of the colours.
+  /// A number that differs after every change of the colours.
   [[nodiscard]] int version() const { return version_; }
 
-  /// All cells, over what is there, or those of their triangles that the slice lets through.
+  /// Draws all cells over the present picture, or the part of their triangles that the slice allows.
   void draw(const Look& look, DrawingSlice& slice);
-  /// One cell again, in a colour of its own.
+  /// Draws one cell again, in a colour of its own.
   void drawCell(const Look& look, std::size_t cell, const QColor& colour, float opacity);
 
  private:

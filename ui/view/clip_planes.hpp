@@ -1,4 +1,4 @@
-// What the programs of shaders/ leave out: everything behind one of three planes.
+// The clip planes of the programs of shaders/, which remove everything behind one of three planes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,7 +10,7 @@ namespace footfall::ui {
 
 struct ShownSpace;
 
-/// A place p of the scene is left where dot(plane, (p, 1)) >= 0 for each. At first they leave everything.
+/// A place p of the scene is kept where dot(plane, (p, 1)) >= 0 for each plane. The default planes keep everything.
 struct ClipPlanes {
   std::array<QVector4D, 3> planes{QVector4D(0, 0, 0, 1), QVector4D(0, 0, 0, 1), QVector4D(0, 0, 0, 1)};
   bool operator==(const ClipPlanes&) const = default;
@@ -21,7 +21,7 @@ struct ClipPlanes {
   }
 };
 
-/// The planes of what heights and cut plane leave; ShownSpace::shows is none of them.
+/// The planes of heights and cut plane; ShownSpace::shows is not included.
 ClipPlanes clipPlanes(const ShownSpace& shown);
 
 }  // namespace footfall::ui

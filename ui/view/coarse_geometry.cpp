@@ -35,10 +35,10 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
     area += areaOf(surface[v].position, surface[v + 1].position, surface[v + 2].position);
     for (std::size_t axis = 0; axis < 3; ++axis) lower[axis] = std::min(lower[axis], surface[v].position[axis]);
   }
-  // A surface of this area has two triangles for each cell that it goes through.
+  // A surface of this area has two triangles for each grid cube that it passes through.
   const double cell = std::sqrt(2 * area / static_cast<double>(kCoarseAim));
   if (!(cell > 0)) return coarse;
-  std::unordered_map<std::uint64_t, std::uint32_t> cells;  // to the first corner in each
+  std::unordered_map<std::uint64_t, std::uint32_t> cells;  // the first corner in each cube
   cells.reserve(kCoarseAim);
   const auto cornerOf = [&](std::uint32_t vertex) {
     std::uint64_t key = 0;
@@ -56,7 +56,8 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
     if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) continue;
     std::array<std::uint64_t, 3> sorted{corners[0], corners[1], corners[2]};
     std::ranges::sort(sorted);
-    // Two triangles in one place: one is enough. That the sums of two others agree costs one triangle of a picture.
+    // One of two triangles at the same place suffices. The sums of two different triangles may agree by chance, which
+    // costs one triangle of a picture.
     if (!known.insert(sorted[0] * 0x9E3779B97F4A7C15ULL ^ sorted[1] * 0xC2B2AE3D27D4EB4FULL ^ sorted[2]).second)
       continue;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -70,7 +71,7 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
 
 namespace {
 
-// How much of each triangle of the environment the mesh has.
+// The area of each triangle of the environment that the mesh covers.
 std::vector<double> areasOf(const std::vector<FloorShare>& shares, std::size_t triangles) {
   std::vector<double> areas(triangles);
   for (const FloorShare& share : shares) areas[share.floor] += share.area;
@@ -93,7 +94,7 @@ std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environmen
     half[t] = areaOf(corner(0), corner(1), corner(2)) / 2;
   }
   auto states = std::make_shared<FloorStates>(triangles, kFloorAsItIs);
-  // A later filter's mesh lies within the ones before.
+  // The mesh of a later filter lies within the earlier ones.
   for (std::size_t k = 0; k < before.size(); ++k) {
     const std::vector<double> areas = areasOf(floorsUnder(*before[k], environment), triangles);
     for (std::size_t t = 0; t < triangles; ++t) {

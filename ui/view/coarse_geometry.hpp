@@ -1,4 +1,4 @@
-// Fewer triangles that look alike from afar, for while the camera moves.
+// Coarse surfaces with fewer triangles, which are drawn while the camera moves.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,30 +11,30 @@
 
 namespace footfall::ui {
 
-/// Above this many triangles, geometry has a coarse surface.
+/// Geometry with more triangles than this has a coarse surface.
 inline constexpr std::size_t kCoarseAbove = 150000;
-/// About as many triangles as a coarse surface has.
+/// The approximate number of triangles of a coarse surface.
 inline constexpr std::size_t kCoarseAim = 60000;
 
-/// Joins all corners within cells of a grid and leaves out triangles that have lost their area by it (Rossignac and
-/// Borrel 1993); small things vanish. `kept` gets the numbers of the triangles that are left. Empty for surfaces that
+/// Merges all corners within each cube of a grid, and removes triangles that lose their area by it (Rossignac and
+/// Borrel 1993); small objects vanish. `kept` receives the numbers of the remaining triangles. Empty for surfaces that
 /// are small enough.
 std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, std::vector<std::uint32_t>& kept);
 
-/// What most of each triangle of a large environment is; null for small ones. `shares`: what floorsUnder() says of the
-/// result. `before`: the meshes of ViewContent::removed.
+/// The prevailing state of each triangle of a large environment; null for small ones. `shares` is the result of
+/// floorsUnder(). `before` has the meshes of ViewContent::removed.
 std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environment, const NavigationMesh& result,
                                                    const std::vector<FloorShare>& shares,
                                                    const std::vector<const NavigationMesh*>& before);
 
 enum class CoarsePaints {
   Result,
-  Vivid,         ///< those of ViewMode::RejectedBy
-  WalkableOnly,  ///< none for what was removed
+  Vivid,         ///< the paints of ViewMode::RejectedBy
+  WalkableOnly,  ///< no paint for removed floors
 };
 
-/// The coarse surface with its floors in the paints of a result: one surface for all, as surfaces that are made coarse
-/// each for itself lie in front of each other in places.
+/// The coarse surface with its floors in the paints of a result. It is one surface, because surfaces that are coarsened
+/// separately overlap each other in places.
 std::vector<SurfaceVertex> paintedCoarse(const CoarseSurface& coarse, const ViewContent& content, CoarsePaints paints);
 
 }  // namespace footfall::ui

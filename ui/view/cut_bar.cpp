@@ -61,13 +61,13 @@ CutBar::CutBar(LevelView& view) : QFrame(&view), view_(view) {
   hide();
 }
 
-// The plane stands upright: two of the file's axes lie in the plan.
+// The plane is vertical: two of the file's axes lie in the plan.
 void CutBar::setUnits(const LevelUnits& units) {
   units_ = units;
   for (const int axis : {0, 1}) facing_->setItemText(axis, tr("Across %1").arg(axisName(units.fileAxis(axis).axis)));
 }
 
-// Of the level along the plane's normal, in the environment's coordinates.
+// The extent of the level along the plane's normal, in the environment's coordinates.
 CutBar::Reach CutBar::reach() const {
   const auto geometry = view_.environmentGeometry();
   if (!geometry) return {};
@@ -106,12 +106,12 @@ void CutBar::setFacing(Facing facing) {
   nx_ = facing == Facing::X ? 1 : 0;
   ny_ = facing == Facing::Y ? 1 : 0;
   if (facing == Facing::Camera) {
-    // What lies nearer than the plane goes: its normal points at the eye.
+    // The side of the eye is removed: the plane's normal points at the eye.
     const auto& q = view_.cameraController().pose().orientation;
     const double x = 2 * (q[0] * q[2] + q[3] * q[1]);
     const double y = 2 * (q[1] * q[2] - q[3] * q[0]);
     const double length = std::hypot(x, y);
-    // Straight from above, the upper edge of the view decides.
+    // The upper edge of the view decides when the camera looks straight down.
     nx_ = length > 1e-6 ? x / length : -2 * (q[0] * q[1] - q[3] * q[2]);
     ny_ = length > 1e-6 ? y / length : -(1 - 2 * (q[0] * q[0] + q[2] * q[2]));
     const double norm = std::hypot(nx_, ny_);

@@ -13,8 +13,8 @@
 
 namespace footfall::ui {
 
-/// Shown while there is a cut plane. The slider goes through the level; facing the camera, the plane keeps the
-/// direction that it got when that was chosen.
+/// Shown while there is a cut plane. The slider moves the plane through the level. "Facing the camera" fixes the
+/// direction that the camera has at that moment.
 class CutBar : public QFrame {
   Q_OBJECT
 
@@ -23,7 +23,7 @@ class CutBar : public QFrame {
 
   explicit CutBar(LevelView& view);
 
-  /// Cuts through the middle at first.
+  /// The plane cuts through the middle at first.
   void setUnits(const LevelUnits& units);
   void setOn(bool on);
   [[nodiscard]] bool on() const { return view_.cutPlane().has_value(); }
@@ -33,7 +33,7 @@ class CutBar : public QFrame {
   [[nodiscard]] QComboBox& facing() { return *facing_; }
 
  signals:
-  /// On, off, moved or turned.
+  /// Emitted when the plane is switched, moved or turned.
   void changed(bool on);
   void closed();
 

@@ -1,4 +1,4 @@
-// Divides the drawing of one picture over several goes, so that none of them takes long.
+// Divides the drawing of one picture into several passes, each of which is short.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// Every go calls the same drawing functions in the same order; they ask for each batch which of its primitives this go
-/// draws. Together the goes draw every primitive once, in the order in which one go would.
+/// Every pass calls the same drawing functions in the same order, and take() returns the primitives of each batch that
+/// the pass draws. Together the passes draw every primitive once, in the order of a single pass.
 class DrawingSlice {
  public:
   struct Range {
@@ -18,18 +18,18 @@ class DrawingSlice {
 
   /// Begins another picture.
   void restart() { done_ = 0; }
-  /// Begins a go of so much work: primitives, and kBatch for each batch that one is drawn of.
+  /// Begins a pass of this much work: primitives, and kBatch for each batch with a drawn primitive.
   void begin(std::int64_t most) {
     passed_ = drawn_ = spent_ = 0;
     most_ = most;
     complete_ = true;
   }
-  /// Begins a picture that is drawn in one go.
+  /// Begins a picture that is drawn in one pass.
   void beginWhole() {
     restart();
     begin(std::numeric_limits<std::int64_t>::max());
   }
-  /// Which primitives of a batch of `count` this go draws.
+  /// The primitives of a batch of `count` that this pass draws.
   Range take(int count) {
     const auto first = static_cast<int>(std::clamp<std::int64_t>(done_ - passed_, 0, count));
     const auto taken = static_cast<int>(std::clamp<std::int64_t>(most_ - spent_, 0, count - first));
@@ -39,12 +39,12 @@ class DrawingSlice {
     if (first + taken < count) complete_ = false;
     return {first, taken};
   }
-  /// Returns whether the picture is complete with this go.
+  /// Returns whether the picture is complete after this pass.
   bool end() {
     done_ += drawn_;
     return complete_;
   }
-  /// The work in the go that has ended last.
+  /// The work of the last pass.
   [[nodiscard]] std::int64_t spent() const { return spent_; }
 
   static constexpr std::int64_t kBatch = 100;

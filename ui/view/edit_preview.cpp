@@ -19,11 +19,11 @@ namespace {
 constexpr std::size_t kTrianglesPerPoll = 4096;
 
 struct ThresholdTriangle {
-  double value = 0;  ///< the triangle changes sides where the threshold passes this
+  double value = 0;  ///< the triangle changes sides where the threshold passes this value
   std::uint32_t triangle = 0;
 };
 
-/// Triangles in the order in which a threshold comes by them.
+/// Triangles in the order in which a moving threshold passes them.
 class ThresholdOrder {
  public:
   ThresholdOrder(std::shared_ptr<const NavigationMesh> mesh, const std::vector<double>& values)
@@ -65,7 +65,7 @@ EditPreview::Surfaces painted(const NavigationMesh& mesh, const Vec3& centre, co
   return {makeMeshGeometry(mesh, centre, paint)};
 }
 
-/// SlopeFilter: whole faces come and go with their angle.
+/// SlopeFilter: whole faces appear and disappear by their angle.
 class SlopePreview : public EditPreview {
  public:
   SlopePreview(const EditedStep& step, const Vec3& centre, Poll poll)
@@ -94,8 +94,8 @@ class SlopePreview : public EditPreview {
   ThresholdOrder order_;
 };
 
-/// AreaFilter: regions of the result go with their area. Which ones come back, only the run can tell: what was taken
-/// away is not known by regions.
+/// AreaFilter: regions of the result disappear by their area. Only the run can compute which ones reappear, because
+/// removed regions are not known.
 class AreaPreview : public EditPreview {
  public:
   AreaPreview(const EditedStep& step, const Vec3& centre, Poll poll)
@@ -107,8 +107,8 @@ class AreaPreview : public EditPreview {
   [[nodiscard]] bool suits(const EditedStep& step) const override { return step.result == order_.mesh(); }
 
  private:
-  // For each triangle the area of its region. Triangles are in one region when they share an edge: the result has
-  // vertices of its own on each side of an obstacle edge.
+  // The area of each triangle's region. Triangles are in one region when they share an edge; the result has separate
+  // vertices on each side of an obstacle edge.
   static std::vector<double> areasOfRegions(const NavigationMesh& mesh, Poll poll) {
     Index count = 0;
     const std::vector<Index> region = findParts(mesh.triangles, mesh.vertices.size(), count, poll);

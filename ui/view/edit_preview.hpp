@@ -1,4 +1,4 @@
-// What one sees of an edit at once, before any filter has run again.
+// Previews of edits that are shown before any filter has run again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,35 +12,35 @@
 
 namespace footfall::ui {
 
-/// What there is to know of a finished run about one of its steps.
+/// The data of a finished run about one of its steps.
 struct EditedStep {
   FilterType filter{};
   std::vector<double> values;
-  std::shared_ptr<const NavigationMesh> before;  ///< what was walkable before it
-  std::shared_ptr<const NavigationMesh> result;  ///< of the whole run
+  std::shared_ptr<const NavigationMesh> before;  ///< walkable area before it
+  std::shared_ptr<const NavigationMesh> result;  ///< result of the whole run
 };
 
-/// Shows edits of one filter's values; prepared after a run, so that an edit costs what it changes. Values are doubles:
-/// what lies within rounding of a threshold may be shown either way, until the run decides exactly. What is shown is
-/// true of the filter with the new values, before any later filter, as far as the preview says. Immutable.
+/// Shows edits of one filter's values. It is prepared after a run, so that the cost of an edit is that of its changes.
+/// Values are doubles: triangles within rounding of a threshold may be on either side, until the run decides exactly.
+/// The preview shows the result of the filter with the new values, before any later filter. Immutable.
 class EditPreview {
  public:
   using Surfaces = std::vector<std::shared_ptr<const NavigationMeshGeometry>>;
   using Values = std::vector<double>;
 
   virtual ~EditPreview() = default;
-  /// To be drawn over the last result (ViewContent::changes) when the values, as many as the filter has, go from those
-  /// of the run to others. Empty when that changes nothing, when only the run can tell what, or when it is more than
-  /// kMostPreviewed triangles.
+  /// Surfaces to draw over the last result (ViewContent::changes) when the values, as many as the filter has, change
+  /// from those of the run to others. Empty when nothing changes, when only the run can compute the change, or when it
+  /// has more than kMostPreviewed triangles.
   [[nodiscard]] virtual Surfaces changes(const Values& from, const Values& to) const = 0;
-  /// Whether it serves after a later run too, of the same steps before this one.
+  /// Returns whether the preview also suits a later run with the same steps before this one.
   [[nodiscard]] virtual bool suits(const EditedStep& step) const = 0;
 };
 
-/// The window's thread makes what is drawn of an edit: a few milliseconds for so many.
+/// The most triangles of a preview, which the window's thread builds in a few milliseconds.
 inline constexpr std::size_t kMostPreviewed = 100'000;
 
-/// Null for filters of which only a run tells anything. `poll` is called now and then and may throw.
+/// Null for filters that only a run can evaluate. `poll` is called from time to time and may throw.
 std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
                                                    const std::shared_ptr<const Environment>& environment,
                                                    const Vec3& centre, Poll poll);

@@ -1,4 +1,4 @@
-// Where the window takes in features.
+// The services of the window that features use.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -12,8 +12,8 @@
 
 namespace footfall::ui {
 
-/// What every feature may use: places for its commands, panels, tools, texts and what it keeps, and the unit that
-/// lengths are written in. What a feature works on (document, level, runs, view), its constructor asks for by name.
+/// The services for every feature: its commands, panels, tools, texts and session sections, and the unit of lengths. A
+/// feature's constructor names the objects that it works on (document, level, runs, view).
 struct FeatureHost {
   QWidget& window;  ///< parent of features and their dialogs
   CommandRegistry& commands;

@@ -12,12 +12,12 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kWallNormalZ = 0.02;          // as in render_geometry.cpp: steeper is a wall
+constexpr double kWallNormalZ = 0.02;          // as in render_geometry.cpp: steeper surfaces are walls
 constexpr std::size_t kFieldPollEvery = 4096;  // triangles
-constexpr int kRounds = 5;                     // of cutting where the height changes: an edge in four pieces each
-constexpr double kInward = 0x1p-10;            // corners are looked at from inside their piece
-constexpr std::size_t kPlaces = 4;             // of a piece: three corners and the middle
-constexpr double kSameShare = 0.04;            // of the scale: differences that are worth no cut
+constexpr int kRounds = 5;           // rounds of cutting where the height changes: an edge in four pieces each
+constexpr double kInward = 0x1p-10;  // corners are sampled from inside their piece
+constexpr std::size_t kPlaces = 4;   // samples of a piece: three corners and the middle
+constexpr double kSameShare = 0.04;  // share of the scale: smaller differences cause no cut
 
 /// A floor or a part of one.
 struct Piece {
@@ -77,7 +77,7 @@ double longestEdge(const Piece& piece) {
   return std::sqrt(longest);
 }
 
-/// Cuts everything larger than `edge`.
+/// Cuts all pieces larger than `edge`.
 std::vector<Piece> cutTo(std::vector<Piece> pieces, double edge, std::size_t budget, Poll poll) {
   std::vector<Piece> small;
   small.reserve(pieces.size());
@@ -154,7 +154,7 @@ std::shared_ptr<const FieldGeometry> makeClearanceField(const std::shared_ptr<co
   std::vector<Piece> pieces = floorsOf(*environment, poll);
   double area = 0;
   for (const Piece& piece : pieces) area += normalOf(piece.corners).length / 2;
-  // A quarter of the pieces goes to an even net, so that nothing of some size is missed; the rest to what it finds.
+  // A quarter of the pieces forms an even net, so that no large change is missed; the others refine what the net finds.
   const double edge = std::sqrt(2 * area / (static_cast<double>(budget) / 4));
   pieces = cutTo(std::move(pieces), edge, std::max(budget / 2, pieces.size()), poll);
   std::size_t all = pieces.size();

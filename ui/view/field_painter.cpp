@@ -37,7 +37,7 @@ void FieldPainter::draw(const SceneBatchPtr& batch, const SceneCamera& camera, c
   strokes_.draw(program_, batch, [&] {
     strokes_.useCamera(program_, camera);
     bindColours();
-    const bool descending = scale.aboveIsRejected;  // light is good to walk on
+    const bool descending = scale.aboveIsRejected;  // light colours are good to walk on
     const auto ends = descending ? std::pair{scale.upper, scale.lower} : std::pair{scale.lower, scale.upper};
     program_.setUniformValue("scale", 0);
     program_.setUniformValue("range", QVector2D(static_cast<float>(ends.first), static_cast<float>(ends.second)));

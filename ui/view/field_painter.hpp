@@ -11,11 +11,11 @@ class FieldPainter {
  public:
   explicit FieldPainter(SceneStrokes& strokes) : strokes_(strokes) {}
 
-  /// Returns an empty text, or why the program cannot be built.
+  /// Returns an empty text, or the reason why the program cannot be built.
   QString initialize() { return buildProgram(program_, QStringLiteral("field")); }
   void release();
 
-  /// Floors in the colours of their numbers; what the scale's limit rejects is hatched.
+  /// Draws floors in the colours of their numbers; places that the scale's limit rejects are hatched.
   void draw(const SceneBatchPtr& batch, const SceneCamera& camera, const FieldScale& scale);
 
  private:

@@ -14,10 +14,10 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kFloorsPerTask = 4096;
-constexpr double kInside = 1e-6;    // of a triangle's area: corners that are outside by less are inside
-constexpr double kThinnest = 1e-7;  // of the smaller area: what two triangles share at an edge is nothing
-constexpr double kDoubled = 0.5;    // of a floor's area: a decal on it is no copy of it
-constexpr double kApart = 1e-3;     // of a piece's extent: joined pieces may lie a little above or below their floor
+constexpr double kInside = 1e-6;    // share of a triangle's area: corners that are outside by less count as inside
+constexpr double kThinnest = 1e-7;  // share of the smaller area: triangles that share less, at an edge, do not overlap
+constexpr double kDoubled = 0.5;    // share of a floor's area: a decal on a floor is no copy of it
+constexpr double kApart = 1e-3;  // share of a piece's extent: joined pieces may lie a little above or below their floor
 
 using Corners = std::array<Vec3, 3>;
 
@@ -29,7 +29,7 @@ double planCross(const Vec3& a, const Vec3& b, const Vec3& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-// Twice the area in the plan, above 0 where it faces up.
+// Twice the area in the plan, above 0 where the triangle faces up.
 double planArea(const Corners& p) { return planCross(p[0], p[1], p[2]); }
 
 double areaOf(const Corners& p) { return detail::areaOf(p[0], p[1], p[2]); }
@@ -98,7 +98,7 @@ bool mayBeFloor(const Environment& environment, const Corners& corners) {
   return environment.bothSides ? area != 0 : area > 0;
 }
 
-// Of all triangles of the environment that may be floors, and of which `isIn` is true.
+// A tree of all triangles of the environment that may be floors, and for which `isIn` is true.
 template <typename IsIn>
 TriangleTree treeOf(const Environment& environment, IsIn isIn) {
   std::vector<Box> boxes;
@@ -116,7 +116,7 @@ TriangleTree treeOf(const Environment& environment, IsIn isIn) {
 
 struct Surroundings {
   Box box;
-  double slack = 0;  // so far above and below counts as there
+  double slack = 0;  // pieces within this height above and below lie on the floor
 };
 
 Surroundings around(const Corners& piece) {
@@ -129,7 +129,7 @@ Surroundings around(const Corners& piece) {
   return found;
 }
 
-// What find(number, stack, items) adds for 0 to count, in that order, found on all threads.
+// The items that find(number, stack, items) adds for each number from 0 to count, in that order, found on all threads.
 template <typename Item, typename Find>
 std::vector<Item> inOrder(std::size_t count, Find find) {
   std::vector<std::vector<Item>> found((count + kFloorsPerTask - 1) / kFloorsPerTask);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kDegreesPerPixel = 0.2;
 constexpr double kFaster = 4;
 constexpr double kWheelFactor = 1.25;
-constexpr double kLongestStep = 0.25;  // seconds: after a frame that took long, nobody wants to be elsewhere
+constexpr double kLongestStep = 0.25;  // in seconds: a slow frame must not move the camera far
 constexpr std::array kKeys = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E};
 
 bool isFlyKey(int key) { return std::ranges::find(kKeys, key) != kKeys.end(); }
@@ -59,12 +59,13 @@ void FlyTool::look(const QPoint& place) {
     camera_.lookBy(way.x() * kDegreesPerPixel, -way.y() * kDegreesPerPixel);
   }
   last_ = place;
-  // The mouse goes back before it leaves the view; where the system does not let it, it turns until it has left.
+  // The mouse is moved back before it leaves the view. Where the system does not allow this, the camera turns until the
+  // mouse has left.
   const QRect inner =
       view_.rect().adjusted(view_.width() / 8, view_.height() / 8, -view_.width() / 8, -view_.height() / 8);
   if (inner.contains(place) || !view_.isActiveWindow()) return;
   QCursor::setPos(view_.mapToGlobal(view_.rect().center()));
-  last_.reset();  // the next place is where it has been put
+  last_.reset();  // the next place is the one that it was moved to
 }
 
 void FlyTool::step() {
@@ -80,7 +81,7 @@ void FlyTool::step() {
 bool FlyTool::eventFilter(QObject*, QEvent* event) {
   switch (event->type()) {
     case QEvent::ShortcutOverride:
-      // Letters are commands elsewhere.
+      // These letters are commands elsewhere.
       if (!isFlyKey(static_cast<QKeyEvent*>(event)->key())) return false;
       event->accept();
       return true;
@@ -114,9 +115,9 @@ bool FlyTool::eventFilter(QObject*, QEvent* event) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:
     case QEvent::MouseButtonDblClick:
-      return true;  // nothing is to be clicked at with a mouse that nobody sees
+      return true;  // the mouse is hidden, so that nothing can be clicked
     case QEvent::FocusOut:
-      held_.clear();  // who releases them now is not heard
+      held_.clear();  // releases of these keys are not received any more
       timer_.stop();
       return false;
     case QEvent::Leave:

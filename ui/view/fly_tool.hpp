@@ -1,4 +1,4 @@
-// Flying through the level: keys move, the mouse looks around.
+// Flying through the level: keys move, and the mouse turns the camera.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,8 +14,8 @@
 
 namespace footfall::ui {
 
-/// W, A, S and D move along the view, Q and E down and up, Shift four times as fast; the mouse looks, the wheel changes
-/// the speed. How far one gets depends on the time, not on the frames.
+/// W, A, S and D move along the view, Q and E down and up, Shift four times as fast; the mouse turns, the wheel changes
+/// the speed. The distance depends on the time, not on the number of frames.
 class FlyTool : public QObject, public ViewTool {
   Q_OBJECT
 
@@ -49,7 +49,7 @@ class FlyTool : public QObject, public ViewTool {
   bool fast_ = false;
   QTimer timer_;
   QElapsedTimer sinceStep_;
-  std::optional<QPoint> last_;  ///< of the mouse
+  std::optional<QPoint> last_;  ///< place of the mouse
 };
 
 }  // namespace footfall::ui

@@ -6,11 +6,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kSlowMs = 30;  // of a frame
-constexpr double kFirstMs = 8;  // of a picture with the frame that first lacks it: enough with a graphics card
-constexpr int kRestMs = 200;    // without movement
-// Of a picture, before it counts as one that takes long, and what lies between two of them then while a run is under
-// way: without graphics hardware they are drawn by the processors that compute.
+constexpr double kSlowMs = 30;  // time of a slow frame
+constexpr double kFirstMs = 8;  // time for a picture in the first frame that lacks it; enough with a graphics card
+constexpr int kRestMs = 200;    // time without movement
+// The number of slices from which a picture counts as slow, and the pause between its slices during a run: without
+// graphics hardware, the processors that compute also draw.
 constexpr int kEagerSlices = 10;
 constexpr int kAsideMs = 200;
 
@@ -31,7 +31,7 @@ SceneRenderer::Haste FramePacing::begin() {
   begun_ = std::chrono::steady_clock::now();
   SceneRenderer::Haste haste;
   haste.moving = isMoving();
-  // What is not known yet may take long.
+  // An unknown time may be long.
   haste.hurried = wholeMs_ == 0 || wholeMs_ > kSlowMs;
   haste.ms = unhurried_ ? std::numeric_limits<double>::infinity() : kFirstMs;
   return haste;

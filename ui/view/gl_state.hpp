@@ -1,4 +1,4 @@
-// Drawing that leaves no OpenGL state behind: libQGLViewer, QPainter and Qt's compositor draw in the same context.
+// Restores OpenGL state after drawing, because libQGLViewer, QPainter and Qt's compositor draw in the same context.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace footfall::ui {
 
-/// Puts back, when it goes, what drawing of the view changes: bindings, tests and masks, blending, clipping, offsets,
-/// and how pixels are read. Needs the same OpenGL context to be current from its first to its last moment.
+/// Its destructor restores the state that drawing of the view changes: bindings, tests and masks, blending, clipping,
+/// offsets, and pixel storage. The same OpenGL context must be current during its whole life.
 class GlStateKeeper {
  public:
   GlStateKeeper();

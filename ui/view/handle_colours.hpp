@@ -7,11 +7,11 @@
 namespace footfall::ui {
 
 /// The colours of handles that move along X (0), Y (1) and Z (2): vermilion, bluish green and blue of Okabe and Ito.
-/// Who cannot tell them apart sees where the arrows point.
+/// The directions of the arrows distinguish them without colours.
 QColor axisColour(int axis);
 /// The colour of the other handles.
 QColor handleColour();
-/// The colour of what is selected, or what the mouse is on.
+/// The colour of the selected object, or of the one under the mouse.
 QColor highlightColour();
 
 }  // namespace footfall::ui

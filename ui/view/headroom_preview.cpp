@@ -12,10 +12,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kReach = 2;        // times the clearance of the run: edits beyond are left to the run
-constexpr double kTouching = 1e-6;  // times the reach: less above a floor is the floor itself, or what it stands on
-constexpr double kThinnestCover = 1e-9;        // of the floor's own area: what covers less cannot be seen
-constexpr std::size_t kMostPairs = 4'000'000;  // 64 MB; larger levels are left to the run
+constexpr double kReach = 2;  // factor on the clearance of the run: only a run computes larger edits
+// share of the reach: anything lower above a floor is the floor itself, or its support
+constexpr double kTouching = 1e-6;
+constexpr double kThinnestCover = 1e-9;        // share of the floor's own area: a smaller cover is invisible
+constexpr std::size_t kMostPairs = 4'000'000;  // 64 MB; larger levels have no preview
 
 double planCross(double ax, double ay, double bx, double by) { return ax * by - ay * bx; }
 
@@ -27,7 +28,7 @@ HeadroomPreview::HeadroomPreview(const EditedStep& step, std::shared_ptr<const E
   findPairs(poll);
 }
 
-// Near the centre, where doubles are finest.
+// The corners are relative to the centre, where doubles are most precise.
 std::array<Vec3, 3> HeadroomPreview::cornersOf(const std::vector<Vec3>& vertices, const Triangle& triangle) const {
   std::array<Vec3, 3> corners;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -63,7 +64,7 @@ void HeadroomPreview::findPairs(Poll poll) {
       if (polygon.size == 0) return true;
       const auto corners = std::span(polygon.corners).first(polygon.size);
       const auto [low, high] = std::ranges::minmax(corners, {}, &Corner::height);
-      // Outwards, so that rounding to floats loses no pair.
+      // The bounds are rounded outwards, so that rounding to floats loses no pair.
       pair.low = std::nextafter(static_cast<float>(low.height), 0.0F);
       pair.high = std::nextafter(static_cast<float>(high.height), std::numeric_limits<float>::max());
       pairs_.push_back(pair);
@@ -77,7 +78,7 @@ void HeadroomPreview::findPairs(Poll poll) {
   std::sort(pairs_.begin(), pairs_.end(), [](const Pair& a, const Pair& b) { return a.low < b.low; });
 }
 
-// Keeps what has a distance of at least 0, which must be linear.
+// Keeps the part where the distance, which must be linear, is at least 0.
 template <class DistanceOf>
 void HeadroomPreview::clip(Polygon& polygon, DistanceOf distanceOf) {
   Polygon kept;
@@ -86,7 +87,7 @@ void HeadroomPreview::clip(Polygon& polygon, DistanceOf distanceOf) {
     const Corner& b = polygon.corners[(i + 1) % polygon.size];
     const double da = distanceOf(a);
     const double db = distanceOf(b);
-    if (kept.size + 2 > kept.corners.size()) break;  // bent so much by rounding that it cannot be seen
+    if (kept.size + 2 > kept.corners.size()) break;  // rounding has bent it by too little to be visible
     if (da >= 0) kept.corners[kept.size++] = a;
     if ((da > 0 && db < 0) || (da < 0 && db > 0)) {
       const double t = da / (da - db);
@@ -96,7 +97,7 @@ void HeadroomPreview::clip(Polygon& polygon, DistanceOf distanceOf) {
   polygon = kept;
 }
 
-// What of the obstacle is over the floor, from one height to another above it; no corners when that is nothing.
+// The part of the obstacle over the floor, between two heights above it; no corners when there is none.
 HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, double high) const {
   const auto floor = cornersOf(floors_->vertices, floors_->triangles[pair.floor]);
   const auto obstacle = cornersOf(environment_->vertices, environment_->triangles[pair.obstacle]);
@@ -125,12 +126,12 @@ HeadroomPreview::Polygon HeadroomPreview::overlap(const Pair& pair, double low, 
     covered += planCross(a.x - o.x, a.y - o.y, b.x - o.x, b.y - o.y);
   }
   if (std::abs(covered) <= kThinnestCover * area) return {};
-  // Counter-clockwise, as the floor is: seen from above also where the obstacle faces down.
+  // The polygon is counter-clockwise like the floor seen from above, even where the obstacle faces down.
   if (covered < 0) std::reverse(polygon.corners.begin(), polygon.corners.begin() + polygon.size);
   return polygon;
 }
 
-// What lies under the obstacle, on the floor.
+// Adds the part of the floor under the obstacle.
 void HeadroomPreview::addShadow(NavigationMesh& mesh, const Pair& pair, double low, double high) const {
   const Polygon polygon = overlap(pair, low, high);
   if (polygon.size < 3) return;
@@ -154,8 +155,8 @@ bool HeadroomPreview::suits(const EditedStep& step) const {
 EditPreview::Surfaces HeadroomPreview::changes(const Values& from, const Values& to) const {
   const auto [low, high] = std::minmax(from[0], to[0]);
   if (high > limit_) return {};
-  // Adds the shadows of pairs that are in sight between two heights, on floors of which `wanted` says so; false when
-  // they are too many.
+  // Adds the shadows of pairs between two heights, on floors for which `wanted` is true; returns false when they are
+  // too many.
   const auto addShadows = [this](NavigationMesh& mesh, double above, double below, const auto& wanted) {
     for (const Pair& pair : pairs_) {
       if (pair.low > below || mesh.triangles.size() > kMostPreviewed) break;
@@ -169,7 +170,7 @@ EditPreview::Surfaces HeadroomPreview::changes(const Values& from, const Values&
   if (!addShadows(between, low, high, noted) || between.triangles.empty()) return {};
   const Paint removed = removalStyle(FilterType::VerticalClearance)->paint;
   if (to[0] > from[0]) return {makeMeshGeometry(between, {}, removed)};
-  // What comes back does so only where nothing lower stands over it.
+  // A part reappears only where no lower obstacle stands over it.
   NavigationMesh below;
   if (!addShadows(below, kTouching * limit_, low, [&](std::uint32_t floor) { return changed[floor]; })) return {};
   return {makeMeshGeometry(between, {}, walkablePaint()), makeMeshGeometry(below, {}, removed)};

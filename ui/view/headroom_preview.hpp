@@ -1,4 +1,4 @@
-// What one sees at once of another vertical clearance.
+// The preview of another vertical clearance.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,9 +11,9 @@
 
 namespace footfall::ui {
 
-/// VerticalClearanceFilter: a floor loses what lies under the parts of obstacles between the old and the new height
-/// above it, or gets it back where nothing lower stands in the way. Obstacles are where the file has them. Knows the
-/// heights up to twice the clearance that the run had.
+/// VerticalClearanceFilter: a floor loses the area under the parts of obstacles between the old and the new height
+/// above it, or regains it where no lower obstacle is. Obstacles are those of the file. Heights are known up to twice
+/// the clearance of the run.
 class HeadroomPreview : public EditPreview {
  public:
   HeadroomPreview(const EditedStep& step, std::shared_ptr<const Environment> environment, const Vec3& centre,
@@ -28,7 +28,7 @@ class HeadroomPreview : public EditPreview {
     std::uint32_t floor = 0, obstacle = 0;
     float low = 0, high = 0;
   };
-  /// A corner of what is left of an obstacle: its place in the plan and its height above the plane of the floor.
+  /// A corner of the remaining part of an obstacle: its place in the plan and its height above the plane of the floor.
   struct Corner {
     double x = 0, y = 0, height = 0;
   };
@@ -50,7 +50,7 @@ class HeadroomPreview : public EditPreview {
   std::shared_ptr<const Environment> environment_;
   Vec3 centre_;
   double limit_;
-  std::vector<Pair> pairs_;  ///< ascending by `low`
+  std::vector<Pair> pairs_;  ///< sorted by `low`
 };
 
 }  // namespace footfall::ui

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSnap = 6;           // pixels
 constexpr double kHandleHeight = 10;  // pixels
-constexpr double kStep = 0.01;        // of the level's height, with an arrow key or a click of the wheel
-constexpr double kStorey = 0.8;       // of the way to the next floor: under its slab, and over heads and doors
+constexpr double kStep = 0.01;        // share of the level's height, for an arrow key or a click of the wheel
+constexpr double kStorey = 0.8;       // share of the way to the next floor: under its slab, and over heads and doors
 constexpr HeightRange kAll;
 
 }  // namespace
@@ -86,7 +86,7 @@ double HeightSlider::value(Handle handle) const {
 
 QString HeightSlider::textOf(double height) const {
   const double span = (upper_ - lower_) * units_.factor();
-  constexpr double kLong = 1e7;  // of as many digits and more, nobody reads the last
+  constexpr double kLong = 1e7;  // the last digits of longer numbers do not matter
   if (std::max(std::abs(lower_), std::abs(upper_)) * units_.factor() >= kLong)
     return shortText(units_.shownHeight(height), 5);
   const int digits = span >= 1000 ? 0 : span >= 100 ? 1 : 2;
@@ -123,7 +123,7 @@ QPoint HeightSlider::handlePlace(Handle handle) const {
   return QPointF(groove().center().x(), yOf(value(handle))).toPoint();
 }
 
-// One handle stops at the other.
+// A handle stops at the other one.
 void HeightSlider::moveTo(Handle handle, double height) {
   HeightRange next = range_;
   if (handle == Handle::Upper) {
@@ -154,7 +154,7 @@ void HeightSlider::mousePressEvent(QMouseEvent* event) {
   const double y = event->position().y();
   const double toUpper = std::abs(y - yOf(value(Handle::Upper)));
   const double toLower = std::abs(y - yOf(value(Handle::Lower)));
-  // Where they lie on each other, the one that can move that way.
+  // Where both handles are at the same place, the one that can move in the mouse's direction is taken.
   active_ = toUpper < toLower || (toUpper == toLower && y <= yOf(value(Handle::Upper))) ? Handle::Upper : Handle::Lower;
   dragging_ = true;
   grip_ = std::min(toUpper, toLower) <= kHandleHeight ? y - yOf(value(active_)) : 0;
@@ -189,7 +189,7 @@ void HeightSlider::wheelEvent(QWheelEvent* event) {
 }
 
 bool HeightSlider::event(QEvent* event) {
-  // Keys that are commands elsewhere are its own while it has the focus.
+  // The focused slider uses keys that are commands elsewhere.
   if (event->type() == QEvent::ShortcutOverride) {
     switch (static_cast<QKeyEvent*>(event)->key()) {
       case Qt::Key_Up:
@@ -248,7 +248,7 @@ bool HeightSlider::focusNextPrevChild(bool next) {
   return true;
 }
 
-// --- Looks
+// --- Drawing
 
 void HeightSlider::paintHandle(QPainter& painter, Handle handle) const {
   const double y = yOf(value(handle));
@@ -260,7 +260,7 @@ void HeightSlider::paintHandle(QPainter& painter, Handle handle) const {
   painter.setBrush(focused ? palette().color(QPalette::Highlight).lighter(150) : palette().color(QPalette::Button));
   painter.drawRoundedRect(box, 3, 3);
   painter.drawLine(QPointF(box.left() + 5, y), QPointF(box.right() - 5, y));
-  // Labels on one side each, or they would cover each other where the handles meet.
+  // Each label is on one side, so that they do not overlap where the handles meet.
   const int line = fontMetrics().height();
   const QRectF text(4, handle == Handle::Upper ? y - line : y, box.left() - 8, line);
   painter.setPen(palette().color(QPalette::Text));

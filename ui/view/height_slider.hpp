@@ -1,4 +1,4 @@
-// Two handles beside the view: what lies above the one or below the other is left out.
+// A slider beside the view whose two handles hide everything above the one and below the other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,9 +14,9 @@
 
 namespace footfall::ui {
 
-/// Heights are the environment's. A handle at its end leaves nothing out. Handles snap to floors (not with Alt held).
-/// Keys: Tab goes from handle to handle, arrows move it, Page Up and Page Down go from floor to floor, Home and End to
-/// the ends; a double click takes both back.
+/// Heights are the environment's. A handle at its end hides nothing. Handles snap to floors (not with Alt held). Keys:
+/// Tab switches between handles, arrows move one, Page Up and Page Down move it to the next floor, Home and End to the
+/// ends; a double click resets both.
 class HeightSlider : public QWidget {
   Q_OBJECT
 
@@ -25,22 +25,22 @@ class HeightSlider : public QWidget {
 
   explicit HeightSlider(QWidget* parent = nullptr);
 
-  /// Bounds of the level, and heights with much floor, from the lowest up. The handles go to their ends.
+  /// Sets the bounds of the level, and the heights with much floor, from the lowest up. The handles move to their ends.
   void setLevel(double lower, double upper, std::vector<double> floors);
   /// The numbers are the file's coordinates along its up axis.
   void setUnits(const LevelUnits& units);
-  /// A handle that is beyond the level goes to its end.
+  /// A handle beyond the level moves to its end.
   void setRange(const HeightRange& range);
   [[nodiscard]] const HeightRange& range() const { return range_; }
   [[nodiscard]] const std::vector<double>& floors() const { return floors_; }
   void reset() { setRange({}); }
-  /// Shows one storey: from a floor to well below the next. Out of range: nothing happens.
+  /// Shows one storey: from a floor to well below the next. An index out of range has no effect.
   void showFloor(int floor);
-  /// The number of the storey that is shown; nothing when the range is another.
+  /// The number of the shown storey; empty for any other range.
   [[nodiscard]] std::optional<int> shownFloor() const;
 
   [[nodiscard]] Handle activeHandle() const { return active_; }
-  /// The middle of a handle, for whoever drives the mouse.
+  /// The middle of a handle, for code that moves the mouse.
   [[nodiscard]] QPoint handlePlace(Handle handle) const;
   [[nodiscard]] QSize sizeHint() const override;
   [[nodiscard]] QSize minimumSizeHint() const override;
@@ -78,7 +78,7 @@ class HeightSlider : public QWidget {
   LevelUnits units_;
   Handle active_ = Handle::Upper;
   bool dragging_ = false;
-  double grip_ = 0;  ///< from the handle's middle to where the mouse holds it
+  double grip_ = 0;  ///< from the handle's middle to the mouse that holds it
 };
 
 }  // namespace footfall::ui

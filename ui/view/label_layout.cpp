@@ -9,11 +9,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kEdge = 3;        // to the view's edges and to what is taken
+constexpr double kEdge = 3;        // distance to the view's edges and to taken rectangles
 constexpr double kBeside = 10;     // from a place to its label, sideways
-constexpr double kAbove = 4;       // upward
-constexpr double kBelow = 10;      // downward
-constexpr std::size_t kMost = 12;  // so many of the things in the way are gone round
+constexpr double kAbove = 4;       // upwards
+constexpr double kBelow = 10;      // downwards
+constexpr std::size_t kMost = 12;  // the number of obstructing rectangles that are avoided
 
 double area(const QRectF& box) { return box.isEmpty() ? 0 : box.width() * box.height(); }
 

@@ -1,4 +1,4 @@
-// Where words beside places of the view go, so that they can be read.
+// Places text labels beside places of the view, so that they are readable.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,15 +9,15 @@
 
 namespace footfall::ui {
 
-/// Places labels one after the other, in logical pixels of a view. A label stands right above its place, else in
-/// another corner of it, else beside what is in the way; where there is no free room, it covers as little as possible.
-/// No label leaves a view that is larger than it.
+/// Places labels one after the other, in logical pixels of a view. A label stands right above its place, else at
+/// another corner of it, else beside the obstructing rectangles; where there is no free room, it covers as little as
+/// possible. No label leaves a view that is larger than the label.
 class LabelLayout {
  public:
-  /// `taken` is what no label is to cover: widgets over the view, and marks.
+  /// `taken` has the rectangles that no label may cover: widgets over the view, and marks.
   LabelLayout(const QSizeF& view, std::vector<QRectF> taken);
 
-  /// The box of a label of such a size for the place `at`; labels that come later keep off it.
+  /// The box of a label of this size for the place `at`; later labels avoid it.
   QRectF place(const QSizeF& size, const QPointF& at);
 
  private:

@@ -34,7 +34,7 @@ class Row : public QTreeWidgetItem {
   }
 };
 
-// Open: an eye; closed: its lid. In the palette's colours, so that both themes are served.
+// An eye, open or closed, in the palette's colours, so that it suits both themes.
 QIcon eyeIcon(bool open, const QPalette& palette, qreal ratio) {
   constexpr int kSide = 18;
   QPixmap pixmap(QSize(kSide, kSide) * ratio);
@@ -99,7 +99,7 @@ LayerPanel::LayerPanel(QWidget* parent) : QWidget(parent) {
   connect(list_, &QTreeWidget::itemDoubleClicked, this, [this](QTreeWidgetItem* item, int column) {
     const std::uint32_t layer = item->data(0, kLayerRole).toUInt();
     if (column == kEye || !result_ || layer >= result_->figures.size()) return;
-    // Its first click may have taken the solo back.
+    // Its first click may have ended showing the layer alone.
     if (layers() > 1) showOnly(layer);
     emit frameRequested(result_->figures[layer]);
   });
@@ -118,7 +118,7 @@ void LayerPanel::setResult(std::shared_ptr<const NavigationMeshGeometry> result)
   if (result == result_) return;
   const std::set<std::uint32_t> before = hiddenHere();
   result_ = std::move(result);
-  // The one layer that somebody looked at may be gone: an empty view would explain nothing.
+  // The only shown layer may no longer exist; an empty view would be confusing.
   if (layers() > 0 && hiddenHere().size() == layers()) hidden_.clear();
   fill();
   if (hiddenHere() != before) emit hiddenChanged(hiddenHere());
@@ -239,7 +239,7 @@ void LayerPanel::fill() {
   showStates();
 }
 
-// Eyes, greyed rows and the words above.
+// Updates the eyes, greyed rows and the text above.
 void LayerPanel::showStates() {
   const qreal ratio = devicePixelRatioF();
   const QIcon open = eyeIcon(true, palette(), ratio);

@@ -1,4 +1,4 @@
-// The dock "Layers": which layers there are, and which of them the view shows.
+// The dock "Layers": lists the layers, and chooses which of them the view shows.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,9 +16,9 @@
 
 namespace footfall::ui {
 
-/// One row a layer, or one for all that is walkable where there are no layers: eye, colour and number, area,
-/// triangles. The eye or Space hides and shows, a click or Enter on a row shows it alone, and again all. Layers stay
-/// hidden by number over runs, as long as one is left to see.
+/// A row for each layer, or one for the whole walkable area where there are no layers: eye, colour and number, area,
+/// triangles. The eye or Space hides and shows a layer; a click or Enter on a row shows it alone, and a second one
+/// shows all. Layers stay hidden by number over runs, as long as one is left to show.
 class LayerPanel : public QWidget {
   Q_OBJECT
 
@@ -28,12 +28,12 @@ class LayerPanel : public QWidget {
   /// Lists the layers of a finished result; null: there is none.
   void setResult(std::shared_ptr<const NavigationMeshGeometry> result);
   void setUnits(const LevelUnits& units);
-  /// Layers that the result does not have are kept: another one may.
+  /// Layers that the result does not have are kept, because another result may have them.
   void setHidden(const std::set<std::uint32_t>& hidden);
   [[nodiscard]] const std::set<std::uint32_t>& hidden() const { return hidden_; }
-  /// How many layers the result has.
+  /// The number of layers of the result.
   [[nodiscard]] std::uint32_t layers() const { return result_ ? result_->layers : 0; }
-  /// The only layer that is shown; nothing when several are, or there are no layers.
+  /// The only layer that is shown; empty when several are, or there are no layers.
   [[nodiscard]] std::optional<std::uint32_t> soloLayer() const;
   /// Null where the result has no such layer.
   [[nodiscard]] const LayerFigures* figuresOf(std::uint32_t layer) const {
@@ -41,14 +41,14 @@ class LayerPanel : public QWidget {
   }
   void showOnly(std::uint32_t layer);
   void showAll() { setHidden({}); }
-  /// Solo for the next layer up (1) or down (-1), around the ends.
+  /// Shows only the next layer up (1) or down (-1), wrapping around at the ends.
   void stepSolo(int direction);
   [[nodiscard]] QTreeWidget& list() { return *list_; }
 
  signals:
-  /// What the view is to leave out: hidden layers of this result.
+  /// Emitted with the layers of this result that the view should hide.
   void hiddenChanged(const std::set<std::uint32_t>& hidden);
-  /// Somebody wants to see where a layer is.
+  /// Emitted when the user chooses to see a layer.
   void frameRequested(const footfall::ui::LayerFigures& layer);
 
  protected:

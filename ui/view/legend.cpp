@@ -15,7 +15,7 @@ namespace {
 constexpr QSize kSwatch(30, 15);
 constexpr std::uint32_t kSwatchesOfLayers = 12;
 
-// Adjoining pieces, one a layer.
+// Adjoining pieces, one for each layer.
 QPixmap layersSwatch(std::uint32_t layers, qreal ratio) {
   const auto shown = static_cast<int>(std::min(layers, kSwatchesOfLayers));
   const int piece = shown > 6 ? 12 : 18;
@@ -30,12 +30,12 @@ QPixmap layersSwatch(std::uint32_t layers, qreal ratio) {
   return pixmap;
 }
 
-// Colours from the lower to the upper end, what the limit rejects hatched, with numbers below.
+// Colours from the lower to the upper end, hatched where the limit rejects, with numbers below.
 QPixmap scaleSwatch(ViewMode mode, const FieldScale& scale, double factor, const QFont& font, const QColor& ink,
                     qreal ratio) {
   constexpr int kWidth = 216;
   constexpr int kBar = 14;
-  constexpr int kEnd = 8;  // of numbers beyond the bar
+  constexpr int kEnd = 8;  // room for numbers beyond the bar
   QFont small = font;
   small.setPixelSize(11);
   const int line = QFontMetrics(small).height();
@@ -146,7 +146,7 @@ QCheckBox* Legend::addEntry(const QString& label, bool SceneParts::*part, const 
 // Makes a box switch a part.
 void Legend::setSwitch(QCheckBox* box, bool on, const std::function<void(bool)>& set) {
   box->setChecked(on);
-  box->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
+  box->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus in the view
   connect(box, &QCheckBox::clicked, this, [this, set](bool nowOn) {
     set(nowOn);
     emit partsChanged(parts_);
@@ -222,7 +222,7 @@ QImage Legend::scaleImage() const {
   return image;
 }
 
-// The reasons' colours, and all entries that go with the mode.
+// The colours of the reasons, and all entries of the mode.
 void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
   const qreal ratio = devicePixelRatioF();
   const bool vivid = shownMode_ == ViewMode::RejectedBy;
@@ -254,7 +254,7 @@ void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
     setSwatch(box, paintSwatch(vivid ? reasons[i]->vivid : reasons[i]->paint, kSwatch, ratio));
     setSwitch(box, parts_.shows(removal), [this, removal](bool on) { parts_.show(removal, on); });
     rows->addWidget(box);
-    box->show();  // at once: the size of the legend is wanted before the next event
+    box->show();  // at once, because the size of the legend is needed before the next event
   }
   rows->activate();
 }

@@ -1,4 +1,4 @@
-// What the colours and lines of the view mean; each entry can be switched off.
+// The legend of the view's colours and lines; each entry can be switched off.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -24,12 +24,12 @@ class Legend : public OverlayFrame {
  public:
   explicit Legend(QWidget* parent);
 
-  /// Names what `content` shows.
+  /// Adds the entries of `content`.
   void describe(const ViewContent& content);
-  /// Cells have a legend of their own; this one only passes on that they are shown.
+  /// Cells have a legend of their own; this one only forwards whether they are shown.
   void showCells(bool on);
   [[nodiscard]] const SceneParts& parts() const { return parts_; }
-  /// What the colours of the mode mean. `ready`: what it shows is there.
+  /// Shows the colours of the mode. `ready`: its content has been computed.
   void showMode(ViewMode mode, const FieldScale& scale, bool ready);
   /// A line below all others, with a swatch of the colour where it is valid.
   struct Note {

@@ -17,30 +17,32 @@ namespace {
 
 // Lines of sight of each direction along the longer side of the level.
 constexpr int kAcross = 96;
-// The level in so many pieces along its longest side: places in one piece that face the same way are alike.
+// Pieces of the level along its longest side: places in one piece that face the same way are alike.
 constexpr std::size_t kPieces = 64;
 constexpr float kFloorNormal = 0.7F;
-// Of the lines of sight through a place, those that nothing is before.
+// The share of unobstructed lines of sight through a place: inside places have at most the first, outside places at
+// least the second.
 constexpr double kInside = 0.03, kOutside = 0.35;
-// Of all floors, those inside: with less, the level is an open one.
+// The share of inside floors among all floors; a level with less is open.
 constexpr double kClosed = 0.025;
-// Of the lines of sight through a region, those that lead to floors inside: through a slab or a wall, and through rock.
+// The share of lines of sight through a region that lead to inside floors: through a slab or a wall, and through rock.
 constexpr double kThroughWall = 0.3, kThroughRock = 0.04;
-constexpr float kWall = 0.06F;          // of the level's longest side: what is thicker is rock
-constexpr double kMuchOfInside = 0.04;  // of the lines of sight that lead inside, those through one region of rock
-// Of the lines of sight straight down that meet a level region, those that nothing is before: with less, there is a
-// storey above most of it, and it is a floor.
+constexpr float kWall = 0.06F;          // share of the level's longest side: thicker parts are rock
+constexpr double kMuchOfInside = 0.04;  // share of one rock region in the lines of sight that lead inside
+// The share of unobstructed vertical lines of sight among those that meet a level region; a region with less has a
+// storey above most of it, and is a floor.
 constexpr double kUnderTheSky = 0.5;
-constexpr double kSide = 0.2;  // of a side of the level's box, what a region on it has
+constexpr double kSide = 0.2;  // share of a side of the level's box that a region lies on
 
 using Point = std::array<float, 3>;
 
 struct Direction {
   Point ahead;
-  bool steep = false;  ///< one looks into a level from there, and not only at it
+  bool steep = false;  ///< the line looks down into the level
 };
 
-// From above, all around, at three angles and straight down; a little askew, as levels are built along their axes.
+// Directions from above, all around, at three angles and straight down; slightly rotated, because levels are built
+// along their axes.
 std::vector<Direction> directions() {
   std::vector<Direction> all{{{0.02F, 0.01F, -0.99975F}, true}};
   for (const auto& [degrees, count] : {std::pair{15, 8}, std::pair{38, 8}, std::pair{60, 4}}) {
@@ -87,8 +89,7 @@ Shape shapeOf(const std::vector<SurfaceVertex>& surface) {
   return shape;
 }
 
-/// Of places, by where they are and which way they face: how many lines of sight come there, and before how many of
-/// them nothing is.
+/// Counts, by place and facing direction, the lines of sight that arrive, and those that are unobstructed.
 class Exposure {
  public:
   explicit Exposure(const Shape& shape) : shape_(shape), counts_(kPieces * kPieces * kPieces * 6) {}
@@ -127,7 +128,7 @@ struct Sight {
   Point firstAt{};
   std::optional<std::uint32_t> second;
   Point secondAt{};
-  float thickness = 0;  ///< to the first back behind the first front; 0 without one
+  float thickness = 0;  ///< distance to the first back behind the first front; 0 without one
 };
 
 struct Hit {
@@ -215,7 +216,7 @@ class Sights {
   std::vector<Hit> hits_;
 };
 
-/// How open each triangle lies.
+/// The exposure of each triangle.
 struct Openness {
   std::vector<std::uint32_t> lines, open;
   explicit Openness(std::size_t triangles) : lines(triangles), open(triangles) {}
@@ -273,11 +274,12 @@ bool isClosed(const Shape& shape, const Openness& openness) {
 /// Lines of sight through one region.
 struct Votes {
   std::uint32_t all = 0, wall = 0, inside = 0;
-  std::uint32_t fromAbove = 0, underTheSky = 0;  ///< lines of sight straight down that meet it
+  /// vertical lines of sight that meet it, and those of them that are unobstructed
+  std::uint32_t fromAbove = 0, underTheSky = 0;
   double area = 0;
 };
 
-// Upright sides of the level's box, which a block of rock has, hide what is in it from all places outside.
+// Upright sides of the level's box, which a block of rock has, hide its inside from all places outside.
 bool isSideOfBox(const Shape& shape, std::size_t triangle, double area) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const float normal = shape.normals[triangle][axis];

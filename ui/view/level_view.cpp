@@ -20,7 +20,7 @@ namespace {
 using qglviewer::Camera;
 using qglviewer::Vec;
 
-/// Nearer than usual where one is close to something: in a corridor, walls must not be cut away.
+/// The near plane is nearer than by default close to a surface, so that walls of a corridor are not cut away.
 class LevelCamera : public Camera {
  public:
   [[nodiscard]] qreal zNear() const override {
@@ -39,7 +39,7 @@ LevelView::LevelView(QWidget* parent)
   const Camera* const usual = camera();
   setCamera(new LevelCamera);  // belongs to QGLViewer
   delete usual;
-  setStateFileName(QString());  // the session keeps the camera
+  setStateFileName(QString());  // the session saves the camera
   setMinimumSize(320, 240);
   setFocusPolicy(Qt::StrongFocus);
   setAccessibleName(tr("View of the level"));
@@ -90,7 +90,7 @@ void LevelView::resizeGL(int width, int height) {
   cameraController_.resized();
 }
 
-// --- What is shown
+// --- Content
 
 void LevelView::setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry, bool fitCamera) {
   scene_.setEnvironment(geometry);
@@ -149,7 +149,7 @@ void LevelView::setSources(std::shared_ptr<const NavigationMeshGeometry> sources
 
 void LevelView::setHeights(const HeightRange& heights) {
   scene_.setHeights(heights);
-  pacing_.move();  // a slider is dragged
+  pacing_.move();  // a slider is being dragged
   update();
 }
 
@@ -264,8 +264,8 @@ void LevelView::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void LevelView::mouseDoubleClickEvent(QMouseEvent* event) {
-  // The first click may have moved the camera: what is under the mouse now is not what was meant. A tool has taken it
-  // as a click.
+  // The first click may have moved the camera, so that another surface is under the mouse now; a tool has handled it as
+  // a click.
   if (!tool() && !scene_.showsCells()) QGLViewer::mouseDoubleClickEvent(event);
 }
 
@@ -329,11 +329,11 @@ void LevelView::draw() {
   const SceneRenderer::Haste haste = pacing_.begin();
   const bool whole = renderer_.draw(sceneCamera(), parts(), haste);
   overlayRenderer_.draw(overlays_, overlayLook());
-  context()->functions()->glFinish();  // software OpenGL works on after the call
+  context()->functions()->glFinish();  // software OpenGL continues after the call
   pacing_.end(haste, whole, renderer_.wholeMs());
 }
 
-// Between two events of the window, so that it answers while a large picture is drawn.
+// Called between two events of the window, so that it responds while a large picture is drawn.
 void LevelView::drawSlice() {
   makeCurrent();
   const bool complete = renderer_.advance(FramePacing::kSliceMs);
@@ -343,7 +343,7 @@ void LevelView::drawSlice() {
 
 QImage LevelView::grabFramebuffer() {
   cameraController_.endGlide();
-  pacing_.rest();  // nothing is left out
+  pacing_.rest();  // nothing is omitted
   pacing_.setUnhurried(true);
   QImage image = QGLViewer::grabFramebuffer();
   pacing_.setUnhurried(false);
@@ -359,7 +359,7 @@ QImage LevelView::picture(const QSize& pixels, double ratio, PictureCamera from)
   context()->functions()->glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &most);
   doneCurrent();
   if (std::max(pixels.width(), pixels.height()) > most) return {};
-  // The widget takes the size for one frame that is never shown: a picture has all that the view has.
+  // The widget takes the size for one frame that is never shown, because a picture has all content of the view.
   const QRect place = geometry();
   const QSize logical = (QSizeF(pixels) / devicePixelRatioF()).toSize();
   cameraController_.endGlide();
@@ -378,20 +378,20 @@ QImage LevelView::picture(const QSize& pixels, double ratio, PictureCamera from)
   return image.convertToFormat(QImage::Format_RGB32);  // opaque, as on the screen
 }
 
-// Marks and labels come last: QPainter draws over everything.
+// Marks and labels come last, because QPainter draws over everything.
 void LevelView::paintGL() {
   QGLViewer::paintGL();
   const bool painted = ready_ && std::ranges::any_of(overlays_, [](const auto& entry) {
                          return !entry.second.marks.empty() || !entry.second.labels.empty();
                        });
   if (!painted) return;
-  // Not on the widget: while the window is grabbed, its painters go elsewhere.
+  // The painter is not opened on the widget, because painters are redirected while the window is grabbed.
   const GlStateKeeper keeper;
   QOpenGLPaintDevice device(size() * devicePixelRatioF());
   device.setDevicePixelRatio(pixelRatio());
   QPainter painter(&device);
   std::vector<QRectF> covered;
-  if (pictureRatio_ == 0) {  // pictures have nothing in front
+  if (pictureRatio_ == 0) {  // pictures have no widgets in front
     for (const QWidget* widget : findChildren<QWidget*>(Qt::FindDirectChildrenOnly))
       if (widget->isVisible()) covered.emplace_back(widget->geometry());
   }

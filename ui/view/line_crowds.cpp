@@ -9,9 +9,10 @@
 namespace footfall::ui {
 namespace {
 
-constexpr std::size_t kFew = 64;  // lines: so few do not fill a picture
-constexpr float kCells = 256;     // along the largest extent
-constexpr float kBand = 32;       // cells: lines at other heights, but not far over each other, are seen as one crowd
+constexpr std::size_t kFew = 64;  // fewer lines do not fill a picture
+constexpr float kCells = 256;     // grid squares along the largest extent
+// height of a band in grid squares: lines at other heights, but not far above each other, form one crowd
+constexpr float kBand = 32;
 
 using Point = std::array<float, 3>;
 
@@ -19,7 +20,7 @@ float lengthOf(const LineSegment& line) {
   return std::hypot(line.to[0] - line.from[0], line.to[1] - line.from[1], line.to[2] - line.from[2]);
 }
 
-/// Lines in the cells of a grid over the plan, in bands of height.
+/// Lines in the squares of a grid over the plan, in bands of height.
 class CrowdGrid {
  public:
   explicit CrowdGrid(const std::vector<LineSegment>& lines) {
@@ -45,7 +46,8 @@ class CrowdGrid {
     Sum sum;
     const int samples = samplesOf(line);
     forSamples(line, samples, [&](const std::array<int, 3>& at) { addAround(at, sum); });
-    // One line through all that is looked at, and what cells leave in doubt, is this one: without another it is alone.
+    // The line itself contributes one line through the whole neighbourhood, plus the error of the grid; if there is no
+    // more, it is alone.
     const float own = static_cast<float>(samples) * kAround * cell_;
     const float share = std::clamp(2 * (sum.length / own - 1.25F), 0.0F, 1.0F);
     const float area = own * kAround * cell_;
@@ -56,7 +58,7 @@ class CrowdGrid {
   struct Sum {
     float length = 0, number = 0;
   };
-  static constexpr float kAround = 3;  // cells in either direction
+  static constexpr float kAround = 3;  // squares in either direction
 
   [[nodiscard]] int samplesOf(const LineSegment& line) const { return static_cast<int>(lengthOf(line) / cell_) + 1; }
   template <typename Visit>

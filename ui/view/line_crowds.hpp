@@ -1,4 +1,4 @@
-// Where lines of one kind are many, each is drawn the fainter; here they are counted.
+// Counts lines of one kind around each line; lines in a crowd are drawn fainter.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,8 +8,8 @@
 
 namespace footfall::ui {
 
-/// Sets LineSegment::crowd; "around" is about a hundredth of the extent of all lines. 0 for lines that are few, or
-/// alone.
+/// Sets LineSegment::crowd; "around" is about a hundredth of the extent of all lines. It is 0 for few lines, and for
+/// lines that are alone.
 void setCrowds(std::vector<LineSegment>& lines);
 
 }  // namespace footfall::ui

@@ -6,10 +6,10 @@
 namespace footfall::ui {
 
 void LinePainter::begin(const SceneCamera& camera) {
-  strokes_.setSides(true);  // their strips face either way
+  strokes_.setSides(true);  // line strips face either way
   strokes_.glEnable(GL_BLEND);
-  strokes_.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
-  strokes_.glDepthMask(GL_FALSE);  // soft edges must not hide what is drawn later
+  strokes_.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // keeps the window opaque
+  strokes_.glDepthMask(GL_FALSE);  // soft edges must not hide later drawing
   strokes_.useCamera(program_, camera);
   program_.setUniformValue(
       "viewport", QVector2D(static_cast<float>(camera.viewport.width()), static_cast<float>(camera.viewport.height())));

@@ -10,16 +10,16 @@ class LinePainter {
  public:
   explicit LinePainter(SceneStrokes& strokes) : strokes_(strokes) {}
 
-  /// Returns an empty text, or why the program cannot be built.
+  /// Returns an empty text, or the reason why the program cannot be built.
   QString initialize() { return buildProgram(program_, QStringLiteral("line")); }
   void release() { program_.removeAllShaders(); }
-  /// The program, for others that draw lines in the same context.
+  /// The program, for other classes that draw lines in the same context.
   [[nodiscard]] QOpenGLShaderProgram& program() { return program_; }
 
-  /// Lines are drawn between these two, with both sides and blending.
+  /// Lines are drawn between begin() and end(), with both sides and blending.
   void begin(const SceneCamera& camera);
   void end();
-  /// `width` in device pixels; `lift` towards the eye, in normalized depth.
+  /// `width` is in device pixels; `lift` moves towards the eye, in normalized depth.
   void draw(const SceneBatchPtr& batch, const QColor& colour, float width, float lift);
 
  private:

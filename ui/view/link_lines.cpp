@@ -12,7 +12,7 @@
 namespace footfall::ui {
 namespace {
 
-// Four lines a link: like a rung between two rails.
+// Four lines for each link, like a rung between two rails.
 void addSteps(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry) {
   for (const StepLink& link : mesh.links) {
     if (link.kind != StepKind::Step) continue;
@@ -25,7 +25,7 @@ void addSteps(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeom
   }
 }
 
-// Both edges of a gap as dashes, beside each other, and its ends: so gaps are told from steps without colours, too.
+// Draws both edges of a gap as dashes, and its ends, so that gaps differ from steps in more than colour.
 void addGaps(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry) {
   constexpr double kDashOfWidth = 4, kMostDashes = 24;
   for (const StepLink& link : mesh.links) {
@@ -53,13 +53,13 @@ Vec3 between(const Vec3& a, const Vec3& b, double t) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
 }
 
-// The stretch that one drops from, and arrows as far from each other as the drop is deep, a few at most.
+// Draws the border of a drop, and a few arrows whose distance is the depth of the drop.
 void addDropLines(const DropLink& drop, const Vec3& centre, std::vector<LineSegment>& lines) {
   constexpr double kMostArrows = 8, kHead = 0.25, kHeadWidth = 0.35;
   const auto add = [&](const Vec3& a, const Vec3& b) { lines.push_back({toFloats(a, centre), toFloats(b, centre)}); };
   add(drop.start[0], drop.start[1]);
   const double arrows = std::clamp(std::round(drop.width / std::max(drop.depth, 1e-300)), 1.0, kMostArrows);
-  // Half the width of a head, as a share of the stretch: it stays inside, and is no wider than the fall is deep.
+  // Half the width of a head, as a share of the border: the head stays inside, and is no wider than the drop is deep.
   const double half = std::min(0.4 / arrows, kHead * kHeadWidth * drop.depth / std::max(drop.width, 1e-300));
   for (double i = 0; i < arrows; ++i) {
     const double t = (i + 0.5) / arrows;

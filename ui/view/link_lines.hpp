@@ -7,7 +7,7 @@
 
 namespace footfall::ui {
 
-/// Adds the lines of all links and drops of a mesh, and their layers where it has some.
+/// Adds the lines of all links and drops of a mesh, and their layers where the mesh has layers.
 void addLinkLines(const NavigationMesh& mesh, const Vec3& centre, NavigationMeshGeometry& geometry);
 
 }  // namespace footfall::ui

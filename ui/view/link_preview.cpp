@@ -12,17 +12,17 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kReach = 2;        // times the values of the run
-constexpr double kOpposite = -0.5;  // the cosine of edges that face each other
-constexpr double kSame = 1e-6;      // of the step: what is not apart by more is a seam, and no step
-constexpr double kShortest = 1e-3;  // of the step: stretches that are shorter cannot be seen
-constexpr double kStrip = 0.15;     // of the step
-constexpr double kRounded = 1e-9;   // of a value: how far a link may be beyond it by rounding
+constexpr double kReach = 2;        // factor on the values of the run
+constexpr double kOpposite = -0.5;  // cosine of edges that face each other
+constexpr double kSame = 1e-6;      // share of the step: borders that are nearer form a seam, and no step
+constexpr double kShortest = 1e-3;  // share of the step: shorter stretches are invisible
+constexpr double kStrip = 0.15;     // share of the step
+constexpr double kRounded = 1e-9;   // share of a value by which rounding may move a link beyond it
 constexpr std::size_t kMostLinkPairs = 1'000'000;
 
 Vec3 middleOf(const Vec3& a, const Vec3& b) { return 0.5 * (a + b); }
 
-/// Whether something stands between two floors at this height.
+/// Finds obstacles between two floors at a height.
 class Obstacles {
  public:
   Obstacles(const Environment& environment, Poll poll) : environment_(environment) {
@@ -76,7 +76,7 @@ LinkPreview::LinkPreview(const EditedStep& step, const Environment& environment,
   findPairs(environment, poll);
 }
 
-// The stretch on which two borders run beside each other, the first one's inside on its left.
+// The stretch on which two borders run beside each other, with the first one's inside on its left.
 std::optional<LinkPreview::Pair> LinkPreview::pairOf(const PreviewBorder& a, const PreviewBorder& b) {
   if (dot(a.along, b.along) > kOpposite) return std::nullopt;
   const double first = dot(b.to - a.from, a.along), last = dot(b.from - a.from, a.along);
@@ -135,7 +135,7 @@ void LinkPreview::findPairs(const Environment& environment, Poll poll) {
 
 bool LinkPreview::suits(const EditedStep& step) const { return step.result == result_ && step.values == values_; }
 
-// The way over each, and a strip on both floors, so that steps are seen from above. From both sides.
+// The way over each link, and a strip on both floors, so that steps are visible from above and from both sides.
 EditPreview::Surfaces LinkPreview::painted(const std::vector<const Pair*>& pairs, const Paint& paint) const {
   if (pairs.empty() || 12 * pairs.size() > kMostPreviewed) return {};
   NavigationMesh soup;

@@ -1,4 +1,4 @@
-// What one sees at once of another step or gap.
+// The preview of another step or gap.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,10 +11,9 @@
 
 namespace footfall::ui {
 
-/// StepFilter: links that the new values do not allow go, and borders that they join get one. Which borders are near
-/// enough is measured in doubles in the middle of where they run beside each other; whether an agent has room on the
-/// way is looked at along one line only. Knows twice the step of the run, and gaps up to the larger one of its step and
-/// twice its gap.
+/// StepFilter: links that the new values do not allow disappear, and borders that they join get one. The distance of
+/// borders is measured in doubles in the middle of their common stretch; obstacles are tested along one line only.
+/// Steps are known up to twice the step of the run, and gaps up to the larger of its step and twice its gap.
 class LinkPreview : public EditPreview {
  public:
   LinkPreview(const EditedStep& step, const Environment& environment, const Vec3& centre, Poll poll);
@@ -36,8 +35,8 @@ class LinkPreview : public EditPreview {
   std::shared_ptr<const NavigationMesh> result_;
   Vec3 centre_;
   Values values_, limits_;
-  double strip_;                      ///< how wide links are drawn on the floors that they join
-  std::vector<Pair> links_, others_;  ///< what the run has linked, and what it has not
+  double strip_;                      ///< width of links drawn on the floors that they join
+  std::vector<Pair> links_, others_;  ///< links of the run, and pairs that it has not linked
 };
 
 }  // namespace footfall::ui

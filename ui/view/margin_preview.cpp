@@ -14,11 +14,11 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kMostNearPairs = 2'000'000;
-constexpr double kSteepest = 1.2;    // how much higher a floor is at most, by the way to it
-constexpr int kCapSides = 4;         // of the straight sides that stand for a quarter of a circle
-constexpr double kLeastArea = 1e-9;  // of the square of the distance: what is smaller cannot be seen
+constexpr double kSteepest = 1.2;    // largest rise of a floor on the way to it
+constexpr int kCapSides = 4;         // straight sides that stand for a quarter of a circle
+constexpr double kLeastArea = 1e-9;  // share of the square of the distance: smaller areas are invisible
 
-/// The part of a convex polygon where `distance`, which is linear, is at least 0.
+/// Clips a convex polygon to the part where `distance`, which is linear, is at least 0.
 template <class Distance>
 void clip(std::vector<Vec3>& polygon, std::vector<Vec3>& kept, const Distance& distance) {
   kept.clear();
@@ -45,7 +45,7 @@ double distanceTo(const Vec3& p, const Vec3& a, const Vec3& b) {
   return std::hypot(a.x + t * x - p.x, a.y + t * y - p.y);
 }
 
-/// How far a border and a triangle are apart in the plan; too little where they are not apart, or hardly.
+/// A lower bound of the distance between a border and a triangle in the plan.
 double gapBetween(const PreviewBorder& border, const std::array<Vec3, 3>& triangle) {
   const auto side = [](const Vec3& a, const Vec3& b, const Vec3& p) {
     return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
@@ -109,7 +109,7 @@ void BorderStrips::add(NavigationMesh& soup, const Pair& pair, double distance) 
   };
   clip(polygon, kept, [&](const Vec3& p) { return dot(p - border.from, border.inward); });
   limitTo(border.from, border.inward);
-  // Round the ends, on the inner side.
+  // Rounds the ends, on the inner side.
   for (int i = 0; i < kCapSides; ++i) {
     const double angle = std::numbers::pi / 2 * i / kCapSides;
     const Vec3 sideways = std::cos(angle) * border.along, in = std::sin(angle) * border.inward;
@@ -126,7 +126,7 @@ NavigationMesh BorderStrips::within(double distance) const {
   NavigationMesh soup;
   const auto isWithin = [distance](const Pair& pair) { return pair.least <= distance; };
   const auto end = std::partition_point(pairs_.begin(), pairs_.end(), isWithin);
-  // Most of them give some.
+  // Most pairs give some triangles.
   if (end - pairs_.begin() > static_cast<std::ptrdiff_t>(kMostPreviewed)) return {};
   for (auto pair = pairs_.begin(); pair != end; ++pair) {
     add(soup, *pair, distance);

@@ -1,4 +1,4 @@
-// What one sees at once of another radius.
+// The preview of another radius.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,33 +11,33 @@
 
 namespace footfall::ui {
 
-/// What of a mesh is near its borders, as seen from above and straight across its triangles.
+/// The parts of a mesh near its borders, as seen from above and straight across its triangles.
 class BorderStrips {
  public:
-  /// Knows distances up to `limit`.
+  /// Distances are known up to `limit`.
   BorderStrips(std::shared_ptr<const NavigationMesh> mesh, double limit, Poll poll);
 
   [[nodiscard]] const std::shared_ptr<const NavigationMesh>& mesh() const { return mesh_; }
-  /// What is nearer than that, in triangles that may overlap; round corners are a little wider. None where they would
-  /// be too many to be previewed.
+  /// The nearer parts, as triangles that may overlap; round corners are a little too wide. Empty where there would be
+  /// too many triangles to preview.
   [[nodiscard]] NavigationMesh within(double distance) const;
 
  private:
   struct Pair {
     std::uint32_t border = 0, triangle = 0;
-    float least = 0;  ///< how far they are apart at least
+    float least = 0;  ///< least distance of both
   };
   void add(NavigationMesh& soup, const Pair& pair, double distance) const;
 
   std::shared_ptr<const NavigationMesh> mesh_;
   std::vector<PreviewBorder> borders_;
-  std::vector<Pair> pairs_;  ///< ascending by `least`
+  std::vector<Pair> pairs_;  ///< sorted by `least`
   bool tooMany_ = false;
 };
 
-/// RadiusFilter: margins grow over what was left, or what was there before them comes back as far as another margin
-/// leaves it. Only where walls and ledges have one distance, as what is a ledge only a run can tell. Knows radii up to
-/// twice the one of the run. Links count as borders that are none, and thin walls not as walls from behind.
+/// RadiusFilter: margins grow over the remaining area, or areas reappear up to the next margin. It works only where
+/// walls and ledges have one distance, because only a run can distinguish them. Radii are known up to twice that of the
+/// run. Links count as borders although they are none, and thin walls do not count from behind.
 class MarginPreview : public EditPreview {
  public:
   MarginPreview(const EditedStep& step, const Vec3& centre, Poll poll);

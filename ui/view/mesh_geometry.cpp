@@ -63,7 +63,7 @@ class EdgeLayers {
  public:
   explicit EdgeLayers(const NavigationMesh& mesh) : mesh_(mesh) {}
 
-  /// In the order of forEachEdge(); kNoLayer without layers.
+  /// Called in the order of forEachEdge(); kNoLayer without layers.
   LineLayers add(const SharedEdge& edge) {
     if (mesh_.layers.empty()) return {kNoLayer, kNoLayer};
     const LineLayers layers{mesh_.layers[edge.triangles.front()], mesh_.layers[edge.triangles.back()]};
@@ -71,7 +71,7 @@ class EdgeLayers {
     return layers;
   }
 
-  /// After all have been added.
+  /// Called after all edges have been added.
   [[nodiscard]] std::vector<LineLayers> of(const std::vector<std::array<std::uint32_t, 2>>& edges) const {
     std::vector<LineLayers> found;
     if (mesh_.layers.empty()) return found;
@@ -130,7 +130,7 @@ std::shared_ptr<const NavigationMeshGeometry> makeMeshGeometry(const NavigationM
   }
   geometry->sources = mesh.sourceTriangles;
   geometry->surfaceLayers = surfaceLayersOf(mesh, environmentLayers);
-  if (paint) return geometry;  // what was removed shows no lines
+  if (paint) return geometry;  // removed floors show no lines
   geometry->figures = figuresOf(mesh, centre);
   EdgeLayers edgeLayers(mesh);
   forEachEdge(mesh.triangles, mesh.vertices.size(), [&](const SharedEdge& edge) {

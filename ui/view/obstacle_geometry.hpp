@@ -1,4 +1,4 @@
-// Placed obstacles in the view: the environment's geometry with theirs at its end, and edges for overlays.
+// The geometry of placed obstacles: appended to the environment's geometry, and as edges for overlays.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,12 +13,12 @@
 
 namespace footfall::ui {
 
-/// The geometry of `level`, whose first `first` triangles are those of `base`: those are copied instead of made anew
-/// (1 ms for 60,000 triangles). The centre stays.
+/// The geometry of `level`, whose first `first` triangles are those of `base` and are copied (1 ms for 60,000
+/// triangles). The centre stays.
 std::shared_ptr<const EnvironmentGeometry> withObstacles(const std::shared_ptr<const EnvironmentGeometry>& base,
                                                          const Environment& level, std::size_t first);
 
-/// Edges that show its shape, and its triangles; both empty for one that soupOf() refuses.
+/// The edges that show its shape, and its triangles; both empty for an obstacle that soupOf() refuses.
 struct ObstacleShape {
   std::vector<std::array<Vec3, 2>> edges;
   std::vector<std::array<Vec3, 3>> triangles;

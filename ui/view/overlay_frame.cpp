@@ -9,9 +9,9 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kMargin = 12;               // to the view's edges
-constexpr double kMuchOfView = 0.36;      // of its width or its height
-constexpr double kMuchOfArea = 1.0 / 12;  // of the two together
+constexpr int kMargin = 12;               // distance to the view's edges
+constexpr double kMuchOfView = 0.36;      // share of the view's width or height
+constexpr double kMuchOfArea = 1.0 / 12;  // share of both together
 
 }  // namespace
 
@@ -24,7 +24,7 @@ OverlayFrame::OverlayFrame(const QString& title, const QString& setting, QWidget
   fold_->setText(title);
   fold_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   fold_->setAutoRaise(true);
-  fold_->setFocusPolicy(Qt::TabFocus);  // with the mouse, the keys stay with the view
+  fold_->setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus in the view
   body_ = new QWidget(this);
   bodyLayout_ = new QVBoxLayout(body_);
   bodyLayout_->setContentsMargins(4, 0, 4, 0);
@@ -79,7 +79,7 @@ bool OverlayFrame::fitInto(const QSize& view) {
 
 void OverlayFrame::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::LeftButton) grip_ = event->pos();
-  event->accept();  // it is not the view that was pressed
+  event->accept();  // the press was not on the view
 }
 
 void OverlayFrame::mouseMoveEvent(QMouseEvent* event) {

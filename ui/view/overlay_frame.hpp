@@ -1,4 +1,4 @@
-// A frame over the view that can be moved and folded, and is found again where it was left.
+// A frame over the view that can be moved and folded, and keeps its place.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,9 +13,9 @@
 
 namespace footfall::ui {
 
-/// A title, which folds the rest away and back, and a body. Dragged by whatever of it does nothing else; a double click
-/// takes it back to its corner. In a view in which it would take much of the room it is folded, and stays so when it
-/// shrinks, until the view is of another size or somebody says otherwise. The settings keep both under `setting`.
+/// A title, which folds the body, and the body. It can be dragged by all parts without another function; a double click
+/// returns it to its corner. The frame is folded where it would take much of the view, and stays so when it shrinks,
+/// until the view's size changes or the user unfolds it. The settings keep both under `setting`.
 class OverlayFrame : public QFrame {
   Q_OBJECT
 
@@ -25,15 +25,15 @@ class OverlayFrame : public QFrame {
   [[nodiscard]] bool folded() const;
   void setFolded(bool on);
   [[nodiscard]] QToolButton& foldButton() { return *fold_; }
-  /// Takes the size that fits it in such a view, at the place where it was put, or nowhere: false is returned.
+  /// Resizes the frame for a view of this size and moves it to its saved place. Returns false when it has none.
   bool fitInto(const QSize& view);
 
  signals:
-  /// Moved, folded, or of another size.
+  /// Emitted when the frame was moved, folded or resized.
   void changed();
 
  protected:
-  /// The layout below the title, for subclasses to fill.
+  /// The layout below the title, which subclasses fill.
   [[nodiscard]] QVBoxLayout& body() { return *bodyLayout_; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -48,11 +48,11 @@ class OverlayFrame : public QFrame {
   QToolButton* fold_;
   QWidget* body_;
   QVBoxLayout* bodyLayout_;
-  std::optional<bool> chosenFold_;  ///< by somebody
+  std::optional<bool> chosenFold_;  ///< chosen by the user
   bool crowded_ = false;            ///< the view is small
-  QSize fittedInto_;                ///< the view's size, last time
-  std::optional<QPointF> place_;    ///< in parts of the room that the view leaves it
-  std::optional<QPoint> grip_;      ///< where the mouse holds it
+  QSize fittedInto_;                ///< last size of the view
+  std::optional<QPointF> place_;    ///< as shares of the free room of the view
+  std::optional<QPoint> grip_;      ///< place at which the mouse holds it
   bool dragging_ = false;
 };
 

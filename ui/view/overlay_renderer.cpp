@@ -14,7 +14,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr float kHidden = 0.35F;  // opacity of what walls hide
+constexpr float kHidden = 0.35F;  // opacity of parts behind walls
 
 using Point = std::array<float, 3>;
 
@@ -66,7 +66,7 @@ void OverlayRenderer::drawSurface(const ViewOverlay::Surface& surface, const Loo
   glEnableVertexAttribArray(0);
   glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, sizeof(Point), nullptr);
   glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(-4, -16);  // over what it lies on
+  glPolygonOffset(-4, -16);  // above the surface that it lies on
   glDrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(points.size()));
   glDisable(GL_POLYGON_OFFSET_FILL);
   surfaceBuffer_.release();
@@ -110,7 +110,7 @@ void OverlayRenderer::draw(const std::map<QString, ViewOverlay>& overlays, const
   if (overlays.empty()) return;
   const GlStateKeeper keeper;
   glEnable(GL_BLEND);
-  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // the window stays opaque
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE);  // keeps the window opaque
   glDepthMask(GL_FALSE);
   for (const auto& [name, overlay] : overlays) {
     const auto pass = [&](float opacity) {

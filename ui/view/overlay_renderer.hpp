@@ -19,7 +19,7 @@
 
 namespace footfall::ui {
 
-/// Overlays are small and change with the mouse: they are uploaded anew in every frame. draw() needs the OpenGL context
+/// Overlays are small and change with the mouse, so they are uploaded in every frame. draw() needs the OpenGL context
 /// of initialize() to be current.
 class OverlayRenderer : protected QOpenGLExtraFunctions {
  public:
@@ -30,15 +30,16 @@ class OverlayRenderer : protected QOpenGLExtraFunctions {
     Vec3 centre;  ///< the scene's origin, in the environment's coordinates
   };
 
-  /// `lines` is the program of shaders/line.*; returns why the other one cannot be built, or an empty text.
+  /// `lines` is the program of shaders/line.*; returns the reason why the other program cannot be built, or an empty
+  /// text.
   QString initialize(QOpenGLShaderProgram& lines);
   void release();
 
   void draw(const std::map<QString, ViewOverlay>& overlays, const Look& look);
-  /// After draw(), with a painter of the view. Labels keep off `covered`, in logical pixels, and off each other.
+  /// Called after draw(), with a painter of the view. Labels avoid `covered`, in logical pixels, and each other.
   static void paint(QPainter& painter, const std::map<QString, ViewOverlay>& overlays, const Look& look,
                     std::vector<QRectF> covered);
-  /// Logical pixels from the upper left corner; nothing for what is behind the eye.
+  /// Logical pixels from the upper left corner; empty for places behind the eye.
   static std::optional<QPointF> project(const Vec3& place, const Look& look);
 
  private:

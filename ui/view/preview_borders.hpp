@@ -1,4 +1,4 @@
-// Borders of the walkable area, for previews of edits.
+// Finds the borders of the walkable area, for previews of edits.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,14 +16,14 @@ namespace footfall::ui {
 struct PreviewBorder {
   Vec3 from, to;
   Vec3 along;       ///< from `from` to `to` in the plan, a unit vector
-  Vec3 inward;      ///< to the triangle's side, level, a unit vector
+  Vec3 inward;      ///< towards the triangle, level, a unit vector
   double size = 0;  ///< in the plan
 };
 
-/// All borders of a mesh that no step or gap leads over and that have an extent in the plan.
+/// All borders of a mesh that have an extent in the plan and that no step or gap crosses.
 std::vector<PreviewBorder> findBorders(const NavigationMesh& mesh, Poll poll);
 
-/// The box around points that are `sideways` farther out in the plan and `upright` in height.
+/// The box around points, extended by `sideways` in the plan and by `upright` in height.
 Box boxAround(const std::vector<Vec3>& points, double sideways, double upright);
 
 }  // namespace footfall::ui

@@ -20,7 +20,7 @@
 namespace footfall::ui {
 namespace {
 
-// Steeper than this counts as a wall on screen: stripes on walls would only be noise.
+// Steeper surfaces are drawn as walls, because stripes on walls would only be noise.
 constexpr double kWallNormalZ = 0.02;
 constexpr double kFlatCosine = 0.999;
 
@@ -34,7 +34,8 @@ struct PositionHash {
   }
 };
 
-// The triangles, with the first vertex at the same position for each corner: soups repeat their vertices.
+// The triangles with each corner replaced by the first vertex at the same position, because soups repeat their
+// vertices.
 std::vector<Triangle> welded(const std::vector<Triangle>& triangles, const std::vector<Vec3>& vertices) {
   std::unordered_map<Vec3, std::uint32_t, PositionHash> firstAt;
   firstAt.reserve(vertices.size());
@@ -46,7 +47,7 @@ std::vector<Triangle> welded(const std::vector<Triangle>& triangles, const std::
   return result;
 }
 
-// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface, of which each has an opposite one.
+// The outermost corners in the 98 directions of a 5 x 5 x 5 grid's surface, each of which has an opposite one.
 std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
   std::vector<std::array<float, 3>> directions;
   for (int direction = 0; direction < 125 / 2; ++direction) {
@@ -62,7 +63,8 @@ std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
     }
   };
   using Ends = std::array<Farthest, 2>;
-  // In blocks that stay in the nearest cache, or a million triangles would be read from memory for each direction.
+  // The work is done in blocks that fit into the nearest cache; otherwise a million triangles would be read from memory
+  // for each direction.
   constexpr std::size_t kBlock = 512;
   constexpr std::size_t kBlocksPerTask = 64;
   const std::size_t blocks = (surface.size() + kBlock - 1) / kBlock;
@@ -102,7 +104,7 @@ std::vector<Vec3> extremePoints(const std::vector<SurfaceVertex>& surface) {
 // The corners of all triangles within a margin around the middle ones along x and y, where they take a small part of
 // the extent.
 std::optional<std::vector<SurfaceVertex>> detailOf(const std::vector<SurfaceVertex>& surface) {
-  constexpr std::size_t kOutside = 50;  // one corner in so many on either side
+  constexpr std::size_t kOutside = 50;  // one corner in this many is outside on either side
   constexpr float kSmallPart = 0.3F;
   if (surface.size() < 4 * kOutside) return std::nullopt;
   std::array<float, 2> lower{};
@@ -148,7 +150,7 @@ void markCovers(EnvironmentGeometry& geometry, DisjointSets& sets) {
   }
 }
 
-// Bins of height with more level floor than their neighbours and than one twentieth of the fullest.
+// Bins of height with more level floor than their neighbours and than one twentieth of the fullest bin.
 std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
   constexpr std::size_t kBins = 400;
   constexpr double kWorth = 0.05;
@@ -173,7 +175,7 @@ std::vector<double> findFloors(const EnvironmentGeometry& geometry) {
     bin.areaTimesHeight += area * middle;
   }
   const double most = std::ranges::max_element(bins, {}, &Bin::area)->area;
-  constexpr std::size_t kReach = 6;  // of one floor: steps and thresholds are no storeys
+  constexpr std::size_t kReach = 6;  // bins of one floor: steps and thresholds are no storeys
   std::vector<double> floors;
   for (std::size_t i = 0; i < kBins; ++i) {
     bool peak = bins[i].area > kWorth * most;
@@ -201,7 +203,7 @@ std::shared_ptr<const EnvironmentGeometry> makeEnvironmentGeometry(const Environ
       upper = {std::max(upper.x, p->x), std::max(upper.y, p->y), std::max(upper.z, p->z)};
     }
   }
-  // Halves first: the sum of two large bounds may overflow.
+  // The bounds are halved first, because the sum of two large bounds may overflow.
   const Vec3 middle{lower.x / 2 + upper.x / 2, lower.y / 2 + upper.y / 2, lower.z / 2 + upper.z / 2};
   const Vec3 centre = whole ? whole->centre : givenCentre.value_or(middle);
   geometry->centre = centre;

@@ -15,7 +15,7 @@ constexpr GLuint kSurfaceLayer = 3, kLineLayer = 3;  // locations
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
-// Null: no context is current, and what it had goes with it.
+// Null: no context is current, and its objects are deleted with it.
 QOpenGLExtraFunctions* currentFunctions() {
   QOpenGLContext* const context = QOpenGLContext::currentContext();
   return context ? context->extraFunctions() : nullptr;
@@ -57,7 +57,7 @@ SceneBatch::Bytes bytesOf(const SceneBatches::Joined<Element>& joined, std::size
   };
 }
 
-// Of triangles, some of which are covers.
+// The bytes of triangles, some of which are covers.
 template <typename Element>
 SceneBatch::Bytes withCovers(SceneBatch::Bytes plain, const SceneBatches::CoversPtr& covers) {
   if (!covers) return plain;
@@ -229,7 +229,7 @@ bool SceneBatches::upload(double ms) {
   clock.start();
   while (!uploads_.empty()) {
     Upload& next = uploads_.front();
-    if (next.batch.use_count() == 1 || next.next == next.batch->pieces.size()) {  // unwanted by now, or done
+    if (next.batch.use_count() == 1 || next.next == next.batch->pieces.size()) {  // no longer needed, or done
       uploads_.pop_front();
       continue;
     }
@@ -245,7 +245,7 @@ void SceneBatches::uploadNow(SceneBatch& batch) {
 
 // --- Drawing
 
-// With the array bound.
+// Called with the array bound.
 void SceneBatches::beginLinesAt(SceneBatch::Piece& piece, int first) {
   const auto skipped = static_cast<std::size_t>(first);
   piece.vertices->bind();
@@ -298,7 +298,8 @@ void SceneBatches::useLayers(QOpenGLShaderProgram& program, const SceneBatch& ba
   glBindTexture(GL_TEXTURE_2D, texture_);
   if (hiddenPending_) {
     hiddenPending_ = false;
-    // Every layer that a batch may name: results have a few hundred at most, and a row more costs nothing.
+    // The texture covers every layer that a batch may name: results have a few hundred at most, and a row more costs
+    // nothing.
     const int rows = static_cast<int>(*hidden_.rbegin()) / kTextureWidth + 2;
     std::vector<std::uint8_t> shown(static_cast<std::size_t>(rows) * kTextureWidth, 255);
     for (const std::uint32_t layer : hidden_) shown[layer] = 0;

@@ -1,4 +1,4 @@
-// Vertex buffers of surfaces, lines and heat maps, filled a piece at a time, and which layers of them are shown.
+// Vertex buffers of surfaces, lines and heat maps, uploaded piece by piece, and the visibility of their layers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace footfall::ui {
 
-/// A buffer in the current OpenGL context, which must be current again when it goes: Qt's own classes keep lists of all
-/// that there are, and runs show thousands of small meshes.
+/// A buffer in the current OpenGL context, which must be current again when it is destroyed. Qt's own classes keep
+/// lists of all their buffers, and runs show thousands of small meshes.
 class SceneBuffer {
  public:
   SceneBuffer() = default;
@@ -33,7 +33,7 @@ class SceneBuffer {
   GLuint name_ = 0;
 };
 
-/// A vertex array, as SceneBuffer.
+/// A vertex array, with the same requirement as SceneBuffer.
 class SceneArray {
  public:
   SceneArray() = default;
@@ -50,19 +50,19 @@ class SceneArray {
 /// Triangles or lines of one kind, in pieces that are uploaded one at a time. Batches may share vertices.
 struct SceneBatch {
   enum class Kind { Surface, Field, Lines };
-  /// Copies nothing that is already there in this form.
+  /// Returns bytes without a copy where they already exist in this form.
   using Bytes = std::function<QByteArray(std::size_t first, std::size_t count)>;
 
   struct Piece {
     SceneArray array;
     std::shared_ptr<SceneBuffer> vertices;
     std::shared_ptr<SceneBuffer> layers;  ///< null: it belongs to no layer
-    int firstLine = 0;                    ///< that the array begins with: OpenGL 3.3 has no first instance to draw
+    int firstLine = 0;                    ///< first line of the array: OpenGL 3.3 cannot draw from a first instance
   };
-  static constexpr int kPiece = 1 << 15;  ///< primitives in each piece but the last
+  static constexpr int kPiece = 1 << 15;  ///< primitives in each piece except the last
 
   Kind kind = Kind::Surface;
-  int count = 0;  ///< triangles of a surface or a field, lines
+  int count = 0;  ///< triangles of a surface or a field, or lines
   Bytes vertices, layers;
   std::deque<Piece> pieces;
 };
@@ -71,20 +71,20 @@ using SceneBatchPtr = std::shared_ptr<SceneBatch>;
 /// Needs a current OpenGL context from initialize() to release(). Batches must not be drawn before upload() is done.
 class SceneBatches : protected QOpenGLExtraFunctions {
  public:
-  /// Keeps what is to be uploaded alive.
+  /// Keeps the uploaded data alive.
   using Owner = std::shared_ptr<const void>;
-  /// Several that become one.
+  /// Several lists that become one batch.
   template <typename Element>
   using Joined = std::vector<std::pair<Owner, const std::vector<Element>*>>;
   using LayerOf = std::function<std::uint32_t(std::size_t triangle)>;
   using LayersOf = std::function<LineLayers(std::size_t line)>;
-  /// Which triangles of a surface are covers, beyond those of its vertices that say so; null: none.
+  /// The triangles of a surface that are covers, beyond those marked by its vertices; null: none.
   using CoversPtr = std::shared_ptr<const std::vector<bool>>;
 
   void initialize();
   void release();
 
-  /// These make batches that belong to no layer.
+  /// These functions make batches that belong to no layer.
   SceneBatchPtr makeSurface(const Owner& owner, const std::vector<SurfaceVertex>& vertices,
                             const CoversPtr& covers = nullptr);
   SceneBatchPtr makeSurface(const Joined<SurfaceVertex>& vertices, const CoversPtr& covers = nullptr);
@@ -92,21 +92,21 @@ class SceneBatches : protected QOpenGLExtraFunctions {
   SceneBatchPtr makeField(const Owner& owner, const std::vector<FieldVertex>& vertices,
                           const CoversPtr& covers = nullptr);
   SceneBatchPtr makeLines(const Owner& owner, const std::vector<LineSegment>& segments);
-  /// The same vertices with layers; with no function, of no layer.
+  /// The same vertices with layers; without a function, of no layer.
   SceneBatchPtr withLayers(const SceneBatchPtr& batch, const LayerOf& layerOf);
   SceneBatchPtr withLineLayers(const SceneBatchPtr& batch, const LayersOf& layersOf);
 
-  /// Goes on for about so long; returns whether all batches that still exist can be drawn.
+  /// Continues for about `ms`; returns whether all batches that still exist can be drawn.
   bool upload(double ms);
-  /// All of one batch.
+  /// Uploads all of one batch.
   void uploadNow(SceneBatch& batch);
 
-  /// With the program and what it needs in use. Triangles of a surface or a field, or lines, counting from 0.
+  /// Draws triangles of a surface or a field, or lines, counting from 0, with the current program.
   void draw(SceneBatch& batch, int first, int count);
 
   void setHiddenLayers(const std::set<std::uint32_t>& hidden);
   [[nodiscard]] const std::set<std::uint32_t>& hiddenLayers() const { return hidden_; }
-  /// Before a program draws the batch: what of it is hidden. Uses the texture unit 1.
+  /// Sets the hidden layers before a program draws the batch. Uses the texture unit 1.
   void useLayers(QOpenGLShaderProgram& program, const SceneBatch& batch);
 
  private:

@@ -1,4 +1,4 @@
-// From where a scene is drawn.
+// The camera that draws a scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -11,7 +11,7 @@ namespace {
 
 using Geometry = std::shared_ptr<const NavigationMeshGeometry>;
 
-// Pieces that lie on covers, one geometry after the other; null where there are none.
+// Marks pieces that lie on covers, one geometry after the other; null where there are none.
 SceneBatches::CoversPtr coversOf(const std::vector<Geometry>& geometries, const EnvironmentGeometry* environment) {
   if (!environment || !environment->covered) return nullptr;
   auto covers = std::make_shared<std::vector<bool>>();
@@ -54,7 +54,7 @@ MeshBatches makeMesh(SceneBatches& batches, const Geometry& geometry, bool withL
 
 bool hasOnly(const MeshBatches& mesh, const Geometry& geometry) { return mesh.geometries == std::vector{geometry}; }
 
-// Parts of a result that is still to come: without layers, and small.
+// Returns whether geometry is an intermediate part of a run: without layers, and small.
 bool isPart(const NavigationMeshGeometry& geometry) {
   constexpr std::size_t kSmall = 3 * 2000;  // corners
   return geometry.surface.size() < kSmall && geometry.surfaceLayers.empty() && geometry.creaseLayers.empty();
@@ -81,8 +81,8 @@ MeshBatches makeGroup(SceneBatches& batches, const std::vector<Geometry>& geomet
   return made;
 }
 
-// The same geometry comes again and again while a run goes on, in thousands of parts: what is there already stays, and
-// parts that follow each other are drawn together.
+// During a run, the same geometry appears again and again in thousands of parts. Existing batches are reused, and
+// consecutive parts are drawn together.
 std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geometry>& geometries, bool withLines,
                                     const std::vector<MeshBatches>& before, const std::vector<MeshBatches>& known,
                                     const EnvironmentGeometry* environment) {
@@ -115,7 +115,7 @@ std::vector<MeshBatches> makeMeshes(SceneBatches& batches, const std::vector<Geo
 }  // namespace
 
 void SceneContent::makeBatches(SceneBatches& batches, const SceneContent& before) {
-  // What an edit changes is to be seen first.
+  // The changes of an edit are uploaded first.
   const EnvironmentGeometry* const level = environment.get();
   changes = makeMeshes(batches, content.changes, false, before.changes, changes, level);
   makeEnvironmentBatches(batches, before);
@@ -155,7 +155,7 @@ void SceneContent::makeEnvironmentBatches(SceneBatches& batches, const SceneCont
     environmentSurface = batches.makeSurface(environment, environment->surface);
     environmentCreases = batches.makeLines(environment, environment->creases);
   }
-  // The layers of the environment's triangles come with results.
+  // The layers of the environment's triangles belong to a result.
   const bool fits = layers && layers->size() * 3 == environment->surface.size();
   if (!fits && !same) return;
   const SceneBatches::LayerOf layerOf = [layers](std::size_t i) { return (*layers)[i]; };
@@ -196,7 +196,7 @@ void SceneContent::makeCoarseBatches(SceneBatches& batches, const SceneContent& 
   }
 }
 
-// Blocks come and go while the others stay.
+// Blocks are added and removed while the others stay.
 void SceneContent::makeBackdropBatches(SceneBatches& batches, const SceneContent& before) {
   std::unordered_map<const BackdropPiece*, SceneBatchPtr> there;
   for (const SceneContent* content : {static_cast<const SceneContent*>(this), &before}) {

@@ -1,4 +1,4 @@
-// All that a view shows, with the buffers made of it.
+// The content of a view, with the buffers made from it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -14,12 +14,12 @@
 namespace footfall::ui {
 
 struct MeshBatches {
-  /// What they were made of, which may come again with other content.
+  /// The geometries of these batches, which may appear again with other content.
   std::vector<std::shared_ptr<const NavigationMeshGeometry>> geometries;
   SceneBatchPtr surface, creases, outline, obstacleEdges, connections, steps, gaps, drops;
 };
 
-/// Few triangles that stand for a large environment and what is on it, while the camera moves.
+/// Few triangles that stand for a large environment and its content while the camera moves.
 struct CoarseBatches {
   SceneBatchPtr plain;                   ///< null for small environments
   std::array<SceneBatchPtr, 3> painted;  ///< by CoarsePaints; null without a result
@@ -37,22 +37,22 @@ struct SceneContent {
   std::shared_ptr<const FieldGeometry> field;
   std::shared_ptr<const NavigationMeshGeometry> sources;
 
-  // Of the above, by SceneContent::makeBatches().
+  // Buffers made by SceneContent::makeBatches().
   SceneBatchPtr environmentSurface, environmentCreases;
   CoarseBatches coarse;
   BackdropBatch coarseBackdrop;
   std::vector<BackdropBatch> backdropBlocks;
   SceneBatchPtr fieldSurface;
   MeshBatches sourceMesh;
-  /// Where there are many small meshes, each of these is made of several.
+  /// Where there are many small meshes, each batch has several of them.
   std::vector<MeshBatches> removed, walkable, changes;
 
-  /// Reuses what `before` has of the same, or what the content itself has of an earlier call, and makes the rest,
-  /// which is then to be uploaded.
+  /// Reuses the buffers of `before`, or of an earlier call, for the same data, and makes the others, which are then
+  /// uploaded.
   void makeBatches(SceneBatches& batches, const SceneContent& before);
 
  private:
-  /// What the batches were made of.
+  /// The data that the batches were made from.
   std::shared_ptr<const EnvironmentGeometry> madeEnvironment_;
   std::shared_ptr<const EnvironmentLayers> madeLayers_;
   std::shared_ptr<const FieldGeometry> madeField_;

@@ -10,7 +10,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr float kUnderCells = 0.9F;  // pale: colours of cells are to look as in their legend
+constexpr float kUnderCells = 0.9F;  // paleness: colours of cells must look as in their legend
 
 SceneRule ruleOf(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts) {
   return sceneRule(parts, scene.content, scene.environment.get(), camera.viewDirection);
@@ -61,7 +61,8 @@ StillLook ScenePainter::stillLook(const SceneContent& scene, const SceneCamera& 
   Paint floor = undecidedPaint();
   if (rule.reasons && parts.shows(scene.content.firstRemoval->removal))
     floor = parts.mode == ViewMode::RejectedBy ? scene.content.firstRemoval->vivid : scene.content.firstRemoval->paint;
-  // Behind everything that may come on top: a step for each of it, but the same for a few more or less.
+  // The offset lies behind everything that may be drawn on top. It has a step for each surface, rounded up so that a
+  // few more or less do not change it.
   constexpr std::size_t kSteps = 4;
   const auto offset = static_cast<float>((scene.removed.size() / kSteps + 1) * kSteps);
   const bool creases = rule.environment == SceneRule::Environment::All && parts.outlines && !rule.wires;
@@ -125,7 +126,7 @@ void ScenePainter::drawStill(const SceneContent& scene, const StillLook& look, c
   strokes_.endClip();
 }
 
-// Nothing is known of its floors.
+// The floors of a backdrop have no states.
 void ScenePainter::drawBackdrop(const SceneContent& scene, const StillLook& look) {
   const BackdropBatch& coarse = scene.coarseBackdrop;
   for (const auto& [first, count] : look.hurried ? scene.backdrop->coarseAlone : scene.backdrop->shownCoarse)
@@ -138,7 +139,7 @@ void ScenePainter::beginSurfaces(const SceneContent& scene, const SceneCamera& c
   surfaces_.begin(camera, camera.clip.active() && scene.environment && !scene.environment->bothSides, pale);
 }
 
-// What is not to be seen as walkable, and yet hides what lies under it.
+// Draws pieces that are not shown as walkable, but hide what lies under them.
 void ScenePainter::drawUnseen(const SceneContent& scene, const SceneRule& rule) {
   const bool all = rule.unseen != SceneRule::Unseen::LeftOut;
   const bool gap = (all ? rule.unseen : rule.unseenLayer) == SceneRule::Unseen::Gap;
@@ -186,8 +187,8 @@ void ScenePainter::drawSurfaces(const SceneContent& scene, const SceneCamera& ca
   drawUnseen(scene, rule);
   if (rule.walkable) drawWalkable(scene, camera, parts.mode, rule);
   const bool vivid = parts.mode == ViewMode::RejectedBy;
-  // Coplanar surfaces with different triangles: the later is the nearer, by one step of polygon offset each. The
-  // nearest come first, so that what they hide is not painted.
+  // Coplanar surfaces with different triangles: each later one is nearer by one step of polygon offset. The nearest are
+  // drawn first, so that hidden parts are not painted.
   for (std::size_t i = scene.removed.size(); rule.reasons && i-- > 0;) {
     const RemovalStyle& style = *scene.content.removed[i].style;
     const bool plain = !parts.shows(style.removal);
@@ -204,7 +205,7 @@ void ScenePainter::drawContent(const SceneContent& scene, const SceneCamera& cam
   strokes_.setSides(rule.backs);
   strokes_.setLeaveCovers(!rule.covers);
   if (rule.field) {
-    fields_.draw(scene.fieldSurface, camera, fieldScale_);  // in place of all other floors
+    fields_.draw(scene.fieldSurface, camera, fieldScale_);  // replaces all other floors
   } else {
     drawSurfaces(scene, camera, parts, rule);
   }

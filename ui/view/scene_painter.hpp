@@ -1,4 +1,4 @@
-// What each mode draws of a scene, in which order.
+// The drawing order of a scene in each mode.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -18,17 +18,17 @@ namespace footfall::ui {
 [[nodiscard]] SceneRule sceneRule(const SceneParts& parts, const ViewContent& content,
                                   const EnvironmentGeometry* environment, const QVector3D& viewDirection);
 
-/// How an environment is drawn without anything on it.
+/// The look of an environment without content.
 struct StillLook {
   SceneCamera camera;
   ViewMode mode = ViewMode::Result;
   SceneRule::Environment drawn = SceneRule::Environment::None;
   bool backs = true, covers = true, creases = false;
-  bool dark = false;  ///< the theme that the background is of
+  bool dark = false;  ///< the theme of the background
   Paint floorPaint;
-  float offset = 0;      ///< steps of polygon offset behind what may come on top
+  float offset = 0;      ///< steps of polygon offset behind everything that may be drawn on top
   float pale = 0;        ///< as for SurfacePainter::begin()
-  bool hurried = false;  ///< all of a backdrop coarse
+  bool hurried = false;  ///< a backdrop is drawn coarse
   bool operator==(const StillLook&) const = default;
 };
 
@@ -37,7 +37,7 @@ class ScenePainter {
  public:
   explicit ScenePainter(SceneBatches& batches) : strokes_(batches) {}
 
-  /// Returns an empty text, or why the programs cannot be built, in one line.
+  /// Returns an empty text, or the reason why the programs cannot be built, in one line.
   QString initialize();
   void release();
 
@@ -48,15 +48,15 @@ class ScenePainter {
   void setFieldScale(const FieldScale& scale) { fieldScale_ = scale; }
   [[nodiscard]] const FieldScale& fieldScale() const { return fieldScale_; }
 
-  /// What all drawing here expects, and leaves as it was.
+  /// Sets the state that all drawing here expects and restores.
   void prepareState();
   [[nodiscard]] StillLook stillLook(const SceneContent& scene, const SceneCamera& camera,
                                     const SceneParts& parts) const;
-  /// The background and the environment; `surface` stands for all of it.
+  /// Draws the background and the environment; `surface` stands for all of it.
   void drawStill(const SceneContent& scene, const StillLook& look, const SceneBatchPtr& surface);
-  /// What is on the environment, but for changes and marks.
+  /// Draws the content of the environment, except changes and marks.
   void drawContent(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts);
-  /// Nearer than everything that they change, each nearer than the one before.
+  /// Draws changes nearer than everything that they replace, each nearer than the one before.
   void drawChanges(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts,
                    const std::vector<MeshBatches>& changes);
 

@@ -13,7 +13,7 @@ ShownSpace shownSpace(const HeightRange& heights, const std::optional<CutPlane>&
                       const EnvironmentGeometry& environment) {
   ShownSpace shown;
   const Vec3& centre = environment.centre;
-  // A little more, so that a floor at exactly this height is still there.
+  // The limit is extended a little, so that a floor at exactly this height stays visible.
   const double more = 1e-4 * (environment.upper.z - environment.lower.z);
   constexpr HeightRange kAll;
   if (heights.upper < kAll.upper) shown.heights.upper = heights.upper - centre.z + more;
@@ -23,7 +23,7 @@ ShownSpace shownSpace(const HeightRange& heights, const std::optional<CutPlane>&
   return shown;
 }
 
-// Möller and Trumbore 1997.
+// The method is that of Möller and Trumbore 1997.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& p) {
   const Vec3 u = p[1] - p[0];
   const Vec3 v = p[2] - p[0];
@@ -64,7 +64,7 @@ bool isFloor(const EnvironmentGeometry& geometry, std::uint32_t triangle) {
   return geometry.surface[std::size_t{3} * triangle].colour[3] == 0;
 }
 
-// The floor that a piece lies on which the ray meets so far away.
+// The floor under a piece that the ray meets at this distance.
 std::optional<SurfacePoint> floorAt(const Ray& ray, const EnvironmentGeometry& geometry, double distance) {
   std::optional<SurfacePoint> nearest;
   double apart = std::numeric_limits<double>::infinity();
@@ -138,7 +138,7 @@ std::optional<SurfacePoint> pickSeen(const Ray& ray, const PickedScene& scene) {
   const EnvironmentGeometry* const open = rule.covers ? nullptr : &scene.environment;
   const PickedPieces seen{scene.content.walkable, [&](std::uint32_t layer) { return !hidden.contains(layerOf(layer)); },
                           open};
-  // In wireframes nothing hides anything: what is walkable is meant, if there is any.
+  // Nothing hides anything in wireframes, so a walkable piece is preferred.
   const bool pieces = rule.environment == Environment::None && !rule.field && !scene.cells;
   if ((pieces || rule.through) && rule.walkable) {
     const std::optional<double> met = meetPieces(ray, seen, scene.space, rule.backs);
@@ -150,7 +150,7 @@ std::optional<SurfacePoint> pickSeen(const Ray& ray, const PickedScene& scene) {
   const std::optional<SurfacePoint> found = pickSurface(ray, scene.environment, shown);
   const bool gaps = rule.unseen == Unseen::Gap || (rule.unseenLayer == Unseen::Gap && !hidden.empty());
   if (!found || !gaps || scene.cells) return found;
-  // What is not to be seen hides what lies under it, its own floor among it.
+  // Hidden pieces hide what lies under them, including their own floor.
   const PickedPieces gap{scene.content.walkable,
                          [&](std::uint32_t layer) {
                            const bool stays = (layer & kFloorStays) != 0;

@@ -1,4 +1,4 @@
-// What lies under the mouse.
+// Finds the surface under the mouse.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -28,25 +28,25 @@ struct SurfacePoint {
   Vec3 point;
 };
 
-/// Heights outside of these are cut away.
+/// Surfaces outside of these heights are hidden.
 struct HeightRange {
   double lower = std::numeric_limits<double>::lowest();
   double upper = std::numeric_limits<double>::max();
   bool operator==(const HeightRange&) const = default;
 };
 
-/// A vertical plane that cuts away what lies before it: what is left has nx * x + ny * y <= at.
+/// A vertical plane that hides everything in front of it: nx * x + ny * y <= at is kept.
 struct CutPlane {
   double nx = 1, ny = 0;  ///< a unit vector in the plan
   double at = 0;
   bool operator==(const CutPlane&) const = default;
 };
 
-/// What of the scene is left to see.
+/// The visible part of the scene.
 struct ShownSpace {
   HeightRange heights;
   std::optional<CutPlane> cut;
-  /// Whether a triangle of the environment is shown, seen from its front or from behind; empty: all are.
+  /// Returns whether a triangle of the environment is shown, seen from its front or from behind; empty: all are.
   std::function<bool(std::uint32_t triangle, bool front)> shows = {};
 
   [[nodiscard]] bool contains(const Vec3& place) const {
@@ -55,48 +55,48 @@ struct ShownSpace {
   }
 };
 
-/// What limits in the environment's coordinates leave, in the scene's.
+/// Converts limits in the environment's coordinates to the scene's.
 ShownSpace shownSpace(const HeightRange& heights, const std::optional<CutPlane>& cut,
                       const EnvironmentGeometry& environment);
 
 Vec3 pointOn(const Ray& ray, double distance);
 
-/// The ray's parameter where it meets the triangle, from either side; above 0. Nothing where it misses or lies in its
-/// plane.
+/// The ray's parameter, above 0, where it meets the triangle from either side. Empty where it misses or lies in the
+/// triangle's plane.
 std::optional<double> meet(const Ray& ray, const std::array<Vec3, 3>& triangle);
-/// Whether the ray comes from the triangle's front, where its corners go round counter-clockwise.
+/// Returns whether the ray comes from the triangle's front, where its corners are counter-clockwise.
 bool meetsFront(const Ray& ray, const std::array<Vec3, 3>& triangle);
 
 /// The first triangle that the ray meets within `shown`. Ray, limits and result are in the scene's coordinates, those
-/// of `geometry`. Looks at every triangle: 1 ms for about 100,000.
+/// of `geometry`. Every triangle is tested: 1 ms for about 100,000.
 std::optional<SurfacePoint> pickSurface(const Ray& ray, const EnvironmentGeometry& geometry, const ShownSpace& shown);
 
-/// Pieces that lie on the environment: parts of a result.
+/// Pieces of a result, which lie on the environment.
 struct PickedPieces {
   std::span<const std::shared_ptr<const NavigationMeshGeometry>> meshes;
-  /// Whether pieces of a layer (its number, with kFloorStays) are there; null: all are.
+  /// Returns whether pieces of a layer (its number, with kFloorStays) are shown; null: all are.
   std::function<bool(std::uint32_t layer)> has = {};
-  /// What lies on its covers is left out; null: nothing is.
+  /// Pieces on the covers of this geometry are ignored; null: none are.
   const EnvironmentGeometry* withoutCoversOf = nullptr;
 };
 
-/// How far the ray goes to the first of the pieces within `heights` of `shown`.
+/// The distance along the ray to the first of the pieces within the heights of `shown`.
 std::optional<double> meetPieces(const Ray& ray, const PickedPieces& pieces, const ShownSpace& shown, bool backs);
 
-/// All that a view draws of a scene, for picking in it.
+/// The drawn content of a scene, for picking.
 struct PickedScene {
   const EnvironmentGeometry& environment;
   const ViewContent& content;
   const std::set<std::uint32_t>& hiddenLayers;
   SceneRule rule;
-  bool cells = false;  ///< all floors are covered with their colours
+  bool cells = false;  ///< all floors are covered with the colours of cells
   ShownSpace space;    ///< without `shows`
 };
 
-/// Which triangles of the environment are drawn, or have something drawn in their place.
+/// Returns which triangles of the environment are drawn, or replaced by other drawing.
 std::function<bool(std::uint32_t triangle, bool front)> shownTriangles(const PickedScene& scene);
 
-/// What is seen along the ray: the place, and the triangle of the environment that it lies on.
+/// The visible place along the ray, and the triangle of the environment that it lies on.
 std::optional<SurfacePoint> pickSeen(const Ray& ray, const PickedScene& scene);
 
 }  // namespace footfall::ui

@@ -7,8 +7,8 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kGoMs = 12;            // aim of one go: what comes between two looks at the clock
-constexpr std::int64_t kLeastGo = 256;  // as DrawingSlice counts
+constexpr double kGoMs = 12;            // aimed time of one pass, between two readings of the clock
+constexpr std::int64_t kLeastGo = 256;  // in units of DrawingSlice
 constexpr std::int64_t kMostGo = 4'000'000;
 constexpr int kManyChanges = 60'000;  // triangles: more become part of the picture
 
@@ -51,7 +51,7 @@ PictureKey ScenePictures::keyOf(const SceneContent& scene, const SceneCamera& ca
   for (const auto* batches : lists) {
     for (const MeshBatches& mesh : *batches)
       key.surfaces.insert(key.surfaces.end(), mesh.geometries.begin(), mesh.geometries.end());
-    key.surfaces.push_back(nullptr);  // where one list ends
+    key.surfaces.push_back(nullptr);  // marks the end of a list
   }
   return key;
 }
@@ -92,7 +92,7 @@ bool ScenePictures::copy(const QOpenGLFramebufferObject& picture, GLuint frame) 
   return copied;
 }
 
-// One go at the picture of the environment alone.
+// Draws one pass of the picture of the environment alone.
 void ScenePictures::goOnWithStill(const SceneContent& scene, const PictureKey::Still& key) {
   const bool made = preparePicture(still_, key.look.camera.viewport);
   canKeep_ = still_->bind();
@@ -109,7 +109,7 @@ void ScenePictures::goOnWithStill(const SceneContent& scene, const PictureKey::S
   stillComplete_ = endGo(begun, stillSlice_, stillMs_);
 }
 
-// The same for what is on it; returns whether that is complete.
+// Draws one pass of the content; returns whether it is complete.
 bool ScenePictures::goOnWithContent(const SceneContent& scene, const PictureKey& key) {
   const SceneCamera& camera = key.still.look.camera;
   const bool made = preparePicture(next_, camera.viewport);
@@ -138,10 +138,10 @@ ScenePictures::Clock::time_point ScenePictures::beginGo(DrawingSlice& slice) {
 bool ScenePictures::endGo(Clock::time_point begun, DrawingSlice& slice, double& sum) {
   const bool complete = slice.end();
   painter_.strokes().setSlice(nullptr);
-  glFinish();  // software OpenGL works on after the call
+  glFinish();  // software OpenGL continues after the call
   const double ms = msSince(begun);
   sum += ms;
-  // Towards the aim, but carefully: the next primitives may be larger.
+  // The size approaches the aim cautiously, because the next primitives may be larger.
   const double factor = ms > 0 ? std::clamp(kGoMs / ms, 0.1, 2.0) : 2.0;
   if (slice.spent() >= goSize_ || factor < 1)
     goSize_ = std::clamp(static_cast<std::int64_t>(static_cast<double>(goSize_) * factor), kLeastGo, kMostGo);

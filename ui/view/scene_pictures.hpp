@@ -1,4 +1,4 @@
-// Pictures of a scene that are drawn a slice at a time and kept while the camera rests.
+// Pictures of a scene that are drawn in slices and kept while the camera rests.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,9 +16,9 @@
 
 namespace footfall::ui {
 
-/// All that a picture depends on: two pictures of the same key are the same.
+/// All data that a picture depends on: pictures with equal keys are equal.
 struct PictureKey {
-  /// All that the environment alone depends on.
+  /// All data that the picture of the environment alone depends on.
   struct Still {
     std::shared_ptr<const EnvironmentGeometry> environment;
     BackdropPtr backdrop;
@@ -37,35 +37,36 @@ struct PictureKey {
   bool operator==(const PictureKey&) const = default;
 };
 
-/// Two pictures: of the environment alone, and of it with the content and the cells but without changes and marks. Each
-/// is drawn into a buffer of its own, over several goes. Needs an OpenGL context from initialize() to release().
+/// Keeps two pictures: of the environment alone, and of the environment with content and cells, but without changes and
+/// marks. Each is drawn into a buffer of its own, in several passes. Needs an OpenGL context from initialize() to
+/// release().
 class ScenePictures : protected QOpenGLExtraFunctions {
  public:
   ScenePictures(ScenePainter& painter, SceneBatches& batches) : painter_(painter), batches_(batches) {}
 
   void initialize() { initializeOpenGLFunctions(); }
   void release();
-  /// False once OpenGL has turned out not to be able to keep any.
+  /// False once OpenGL has failed to keep a picture.
   [[nodiscard]] bool canKeep() const { return canKeep_; }
 
   [[nodiscard]] PictureKey keyOf(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts) const;
-  /// Whether so many changes become part of the picture.
+  /// Returns whether this many changes become part of the picture.
   static bool holds(const std::vector<MeshBatches>& changes);
 
-  /// The picture that goOn() draws; nothing: none. A picture that is complete needs no drawing.
+  /// Sets the picture that goOn() draws; empty: none. A complete picture needs no drawing.
   void want(std::optional<PictureKey> key);
   [[nodiscard]] bool wants(const PictureKey& key) const { return wanted_ && *wanted_ == key; }
   [[nodiscard]] bool isWanting() const { return wanted_.has_value(); }
-  /// Draws for about so long; returns whether the wanted picture is complete now and was not before.
+  /// Draws for about `ms`; returns whether the wanted picture has become complete.
   bool goOn(const SceneContent& scene, double ms);
-  /// What has been begun is not wanted any more.
+  /// Drops an unfinished picture.
   void dropUnfinished();
-  /// Nor is the complete picture to be shown again.
+  /// Also drops the complete picture.
   void forget();
 
-  /// Copies the complete picture to a frame buffer, if it was drawn from there; returns whether it did.
+  /// Copies the complete picture to a frame buffer, if it was drawn with this camera; returns whether it did.
   bool copyTo(GLuint frame, const SceneCamera& camera);
-  /// How long the last complete picture took; 0 before the first.
+  /// Time of the last complete picture; 0 before the first.
   [[nodiscard]] double wholeMs() const { return wholeMs_; }
 
  private:
@@ -90,7 +91,7 @@ class ScenePictures : protected QOpenGLExtraFunctions {
   std::optional<PictureKey> wanted_;
   DrawingSlice stillSlice_, nextSlice_;
   bool canKeep_ = true;
-  std::int64_t goSize_ = 1024;  ///< of one go
+  std::int64_t goSize_ = 1024;  ///< for one pass
   double stillMs_ = 0, nextMs_ = 0, wholeMs_ = 0;
 };
 

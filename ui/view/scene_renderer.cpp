@@ -16,7 +16,7 @@ QString SceneRenderer::initialize() {
   if (!problem.isEmpty()) return problem;
   pictures_.initialize();
   batches_.initialize();
-  // In another context than before, everything has to be made again.
+  // All buffers are made again in another context.
   const SceneContent known = coming_ ? *coming_ : scene_;
   scene_ = {};
   coming_.reset();
@@ -37,7 +37,7 @@ void SceneRenderer::release() {
   pictures_.release();
 }
 
-// Until its buffers are full, what is there stays.
+// The present content stays until the new buffers are full.
 SceneContent& SceneRenderer::coming() {
   if (!coming_) coming_ = scene_;
   comingMade_ = false;
@@ -86,7 +86,7 @@ void SceneRenderer::setHiddenLayers(const std::set<std::uint32_t>& hidden) {
   pictures_.dropUnfinished();
 }
 
-// Returns whether it can be shown.
+// Returns whether the new content can be shown.
 bool SceneRenderer::uploadComing(double ms) {
   if (std::exchange(afresh_, false)) {
     scene_ = {};
@@ -107,8 +107,8 @@ bool SceneRenderer::advance(double ms) {
          pictures_.goOn(scene_, ms - static_cast<double>(clock.nsecsElapsed()) * 1e-6);
 }
 
-// `key`: of what is shown now. A picture of it that has been begun is finished first, or changes that come quickly
-// would never let one be seen; what an edit changes is shown at once.
+// `key` is that of the shown content. An unfinished picture of it is completed first, because frequent changes would
+// otherwise never let one be shown; the changes of an edit are shown at once.
 void SceneRenderer::takeComing(const PictureKey& key) {
   if (pictures_.wants(key)) {
     scene_.content.changes = coming_->content.changes;
@@ -119,7 +119,7 @@ void SceneRenderer::takeComing(const PictureKey& key) {
   coming_.reset();
 }
 
-// Hurried, a large environment is drawn coarse, with what is on it as paint; all else without its lines.
+// While hurried, a large environment is drawn coarse with its content as paint, and everything else without its lines.
 void SceneRenderer::drawDirectly(StillLook look, SceneParts parts, bool hurried) {
   const CoarseBatches& coarse = scene_.coarse;
   look.hurried = hurried;
@@ -155,12 +155,12 @@ bool SceneRenderer::draw(const SceneCamera& camera, const SceneParts& parts, con
     pictures_.want(!haste.moving && pictures_.canKeep() ? std::optional(std::move(key)) : std::nullopt);
     pictures_.goOn(scene_, haste.ms);
     whole = !pictures_.isWanting() && !coming_;
-    // Without haste, what came after the picture that had been begun is waited for as well.
+    // Without haste, content that arrived after the unfinished picture is waited for as well.
     if (whole || haste.ms < std::numeric_limits<double>::infinity()) break;
   }
   GLint frame = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &frame);
-  // Until a picture is complete, the one before stands for it, if one looks from the same place.
+  // Until a picture is complete, the previous one is shown if the camera is the same.
   const bool copied = !haste.moving && pictures_.copyTo(static_cast<GLuint>(frame), camera);
   if (!copied)
     drawDirectly(painter_.stillLook(scene_, camera, parts), parts, haste.hurried && (haste.moving || !whole));

@@ -1,4 +1,4 @@
-// Draws an environment and what is walkable on it with vertex buffers and the programs of shaders/.
+// Draws an environment and the walkable area on it with vertex buffers and the programs of shaders/.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,46 +16,47 @@
 
 namespace footfall::ui {
 
-/// Every member but those that begin with "set" needs the OpenGL context of initialize() to be current.
+/// All members except those that begin with "set" need the OpenGL context of initialize() to be current.
 class SceneRenderer : protected QOpenGLExtraFunctions {
  public:
-  /// Returns an empty text, or why the programs cannot be built, in one line.
+  /// Returns an empty text, or the reason why the programs cannot be built, in one line.
   QString initialize();
   void release();
-  /// The program of lines, for others that draw some in the same context.
+  /// The program of lines, for other classes that draw lines in the same context.
   [[nodiscard]] QOpenGLShaderProgram& lineProgram() { return painter_.lines().program(); }
 
-  /// Shows another environment (null: none), without content. Here and below: what is set is uploaded by draw() and
-  /// advance(), and shown once all of it is there.
+  /// Shows another environment (null: none), without content. For all setters: draw() and advance() upload new content,
+  /// which is shown once all of it is uploaded.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
-  /// Shows an edit of the environment; the one before stays in sight until its buffers are full.
+  /// Shows an edit of the environment; the previous one stays visible until the new buffers are full.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> geometry);
-  /// Shows a backdrop behind the environment (null: none); the one before stays in sight until its buffers are full.
+  /// Shows a backdrop behind the environment (null: none); the previous one stays visible until the new buffers are
+  /// full.
   void setBackdrop(BackdropPtr backdrop);
   void setContent(ViewContent content);
   void setCells(std::shared_ptr<const CellGeometry> geometry, CellColours colours);
   void setCellColours(CellColours colours);
   void setMarkedCells(const MarkedCells& marked) { painter_.cells().setMarked(marked); }
-  /// Heat maps show this field. Null: there is none yet.
+  /// Sets the field of heat maps. Null: there is none yet.
   void setField(std::shared_ptr<const FieldGeometry> field);
   void setFieldScale(const FieldScale& scale);
-  /// ViewMode::SourceTriangles shows this in place of the walkable surfaces. Null: there is none yet.
+  /// Sets the surfaces that ViewMode::SourceTriangles shows instead of the walkable ones. Null: there are none yet.
   void setSources(std::shared_ptr<const NavigationMeshGeometry> sources);
-  /// Layers by number; lines between two of them go with them.
+  /// Hides layers by number; lines between two hidden layers are hidden too.
   void setHiddenLayers(const std::set<std::uint32_t>& hidden);
 
   struct Haste {
     bool moving = false;   ///< the camera will be elsewhere in the next frame
-    bool hurried = false;  ///< no outlines and creases; large environments coarse, and what is on them as paint
-    double ms = 0;         ///< to go on with a picture that is to be kept
+    bool hurried = false;  ///< no outlines and creases; large environments coarse, and their content as paint
+    double ms = 0;         ///< time to continue a picture that will be kept
   };
-  /// While the camera rests, pictures (ScenePictures) are drawn once and kept: frames after that cost only what is new.
-  /// Returns whether the frame shows what it is to show; otherwise it shows the picture before, or, where one looks
-  /// from elsewhere, what `hurried` leaves: call advance() until it returns true, and draw again.
+  /// While the camera rests, pictures (ScenePictures) are drawn once and kept, so that later frames cost only what is
+  /// new. Returns whether the frame shows everything that it should. Otherwise it shows the previous picture or, after
+  /// a movement, the reduced one of `hurried`: call advance() until it returns true, and draw again.
   bool draw(const SceneCamera& camera, const SceneParts& parts, const Haste& haste);
-  /// Draws for about so long at the picture that the last draw() lacked; returns whether it is complete.
+  /// Continues for about `ms` the picture that the last draw() lacked; returns whether it is complete.
   bool advance(double ms);
-  /// How long the last complete picture took; 0 before the first.
+  /// Time of the last complete picture; 0 before the first.
   [[nodiscard]] double wholeMs() const { return pictures_.wholeMs(); }
 
  private:
@@ -67,11 +68,11 @@ class SceneRenderer : protected QOpenGLExtraFunctions {
   SceneBatches batches_;
   ScenePainter painter_{batches_};
   ScenePictures pictures_{painter_, batches_};
-  SceneContent scene_;                     ///< what is shown
-  std::optional<SceneContent> coming_;     ///< what will be, once its buffers are full
+  SceneContent scene_;                     ///< the shown content
+  std::optional<SceneContent> coming_;     ///< the next content, until its buffers are full
   bool comingMade_ = false;                ///< its batches have been made
-  bool afresh_ = false;                    ///< nothing of what is shown may be seen with what comes
-  std::vector<MeshBatches> shownChanges_;  ///< over the kept picture, while no others are there
+  bool afresh_ = false;                    ///< no present content may be shown together with the next
+  std::vector<MeshBatches> shownChanges_;  ///< changes over the kept picture, while there are no others
 };
 
 }  // namespace footfall::ui

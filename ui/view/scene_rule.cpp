@@ -4,7 +4,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kFromAbove = 0.34;  // 20 degrees: from there on one looks into a level and not at it
+constexpr double kFromAbove = 0.34;  // 20 degrees: a steeper camera looks into a level and not at it
 
 }  // namespace
 

@@ -2,7 +2,7 @@
 #include "ui/view/scene_strokes.hpp"
 
 #ifndef GL_CLIP_DISTANCE0
-#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES do not know it
+#define GL_CLIP_DISTANCE0 0x3000  // the headers of OpenGL ES lack it
 #endif
 
 namespace footfall::ui {

@@ -1,4 +1,4 @@
-// What the painters of a scene share: the context's functions, the batches, and how much of a picture is drawn now.
+// Shared by the painters of a scene: the context's functions, the batches, and the slice that is being drawn.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,12 +16,12 @@
 
 namespace footfall::ui {
 
-/// Builds the program of shaders/NAME.vert and NAME.frag. Returns an empty text, or why it cannot be built, in one
-/// line.
+/// Builds the program of shaders/NAME.vert and NAME.frag. Returns an empty text, or the reason why it cannot be built,
+/// in one line.
 QString buildProgram(QOpenGLShaderProgram& program, const QString& name);
 
 QVector3D toVector(const QColor& colour);
-/// rgb, and the pattern as shaders/surface.vert reads it.
+/// The colour in rgb, and the pattern as shaders/surface.vert reads it.
 QVector4D toVector(const Paint& paint);
 
 /// Draws batches a slice at a time. Needs a current OpenGL context from initialize() on, as all painters do.
@@ -30,27 +30,28 @@ class SceneStrokes : public QOpenGLExtraFunctions {
   explicit SceneStrokes(SceneBatches& batches) : batches_(batches) { whole_.beginWhole(); }
 
   void initialize() { initializeOpenGLFunctions(); }
-  /// What is drawn from now on belongs to `slice`; null: to a picture that is drawn in one go.
+  /// Later drawing belongs to `slice`; null: to a picture that is drawn in one pass.
   void setSlice(DrawingSlice* slice) { slice_ = slice ? slice : &whole_; }
   [[nodiscard]] DrawingSlice& slice() { return *slice_; }
   [[nodiscard]] SceneBatches& batches() { return batches_; }
 
-  /// Whether covers of closed levels are left out of what is drawn from now on.
+  /// Sets whether later drawing omits covers of closed levels.
   void setLeaveCovers(bool leave) { leaveCovers_ = leave; }
   [[nodiscard]] bool leaveCovers() const { return leaveCovers_; }
-  /// Whether faces are drawn that are seen from behind.
+  /// Sets whether faces seen from behind are drawn.
   void setSides(bool backs);
   void beginClip(const SceneCamera& camera);
   void endClip();
-  /// Binds a program and sets what all of them take of a camera.
+  /// Binds a program and sets its camera parameters.
   void useCamera(QOpenGLShaderProgram& program, const SceneCamera& camera) const;
-  /// Draws what the slice lets through of a batch, which may be null; `prepare` sets what the program takes, before.
+  /// Draws the primitives of a batch, which may be null, that the slice allows; `prepare` sets the parameters of the
+  /// program first.
   template <typename Prepare>
   void draw(QOpenGLShaderProgram& program, const SceneBatchPtr& batch, Prepare prepare) {
     if (!batch || batch->count == 0) return;
     drawPart(program, *batch, 0, batch->count, prepare);
   }
-  /// The same for `count` of its primitives from `first` on.
+  /// Draws `count` of its primitives from `first` on.
   template <typename Prepare>
   void drawPart(QOpenGLShaderProgram& program, SceneBatch& batch, int first, int count, Prepare prepare) {
     const DrawingSlice::Range range = slice_->take(count);

@@ -15,7 +15,7 @@ std::optional<double> alongAxis(const Ray& ray, const Vec3& origin, const Vec3& 
   const Vec3 w = ray.origin - origin;
   const double b = dot(axis, ray.direction), c = dot(ray.direction, ray.direction);
   const double determinant = c - b * b;
-  if (!(determinant > 1e-4 * c)) return std::nullopt;  // it looks along the axis
+  if (!(determinant > 1e-4 * c)) return std::nullopt;  // the line is along the axis
   const double along = (c * dot(axis, w) - b * dot(ray.direction, w)) / determinant;
   return std::isfinite(along) ? std::optional(along) : std::nullopt;
 }
@@ -33,7 +33,7 @@ double roundTo(double value, double step) {
   const std::string text = QString::number(rounded, 'g', 12).toStdString();
   double typed = rounded;
   std::from_chars(text.data(), text.data() + text.size(), typed);
-  return typed + 0.0;  // no negative zero
+  return typed + 0.0;  // avoids -0
 }
 
 }  // namespace footfall::ui

@@ -4,7 +4,7 @@
 #include <QOpenGLContext>
 
 #ifndef GL_LINE
-#define GL_LINE 0x1B01  // the headers of OpenGL ES do not know these
+#define GL_LINE 0x1B01  // the headers of OpenGL ES lack these
 #define GL_FILL 0x1B02
 #endif
 #ifndef GL_POLYGON_OFFSET_LINE
@@ -74,7 +74,7 @@ void SurfacePainter::drawWires(const SceneBatchPtr& batch, const SceneCamera& ca
   setOnlyPaint(colour ? std::optional(Paint{*colour}) : std::nullopt, true);
   polygonMode_(GL_FRONT_AND_BACK, GL_LINE);
   strokes_.glLineWidth(camera.devicePixelRatio);
-  // Under the edges of what is walkable, which have their own colours.
+  // Edges of triangles lie under those of the walkable area, which have their own colours.
   strokes_.glEnable(GL_POLYGON_OFFSET_LINE);
   draw(batch, colour ? 0.5F : 0);
   strokes_.glDisable(GL_POLYGON_OFFSET_LINE);

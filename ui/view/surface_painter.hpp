@@ -13,38 +13,39 @@ class SurfacePainter {
  public:
   explicit SurfacePainter(SceneStrokes& strokes) : strokes_(strokes) {}
 
-  /// Returns an empty text, or why the program cannot be built.
+  /// Returns an empty text, or the reason why the program cannot be built.
   QString initialize();
   void release() { program_.removeAllShaders(); }
 
-  /// Surfaces are drawn between these two, each in its own paint until another is set. `hatchBacks`: what a cut shows
-  /// from behind is hatched. `pale`: from 0, the paints' own colours, to 1, hardly any.
+  /// Surfaces are drawn between begin() and end(), each in its own paint until another is set. `hatchBacks`: backs that
+  /// a cut reveals are hatched. `pale`: from 0 (the paints' own colours) to 1 (hardly any colour).
   void begin(const SceneCamera& camera, bool hatchBacks, float pale = 0);
   void end();
-  /// `offset`: steps of polygon offset away from the eye; coplanar surfaces with different triangles need one each.
+  /// `offset` is in steps of polygon offset away from the eye; coplanar surfaces with different triangles need one
+  /// each.
   void draw(const SceneBatchPtr& batch, float offset);
-  /// The same for some of its triangles.
+  /// Draws some of its triangles.
   void drawPart(const SceneBatchPtr& batch, int first, int count, float offset);
 
-  /// The paint of everything; nothing: each its own. `unlit`: without light and shade.
+  /// Sets one paint for everything; empty: each surface has its own. `unlit`: without shading.
   void setOnlyPaint(const std::optional<Paint>& paint, bool unlit = false);
   /// The paint of floors of the environment, and whether only these are drawn of it.
   void setFloors(const Paint& paint, bool only);
   void endFloors();
-  /// What becomes of pieces of hidden layers whose triangle of the environment stays; with `only`, nothing else is
+  /// Sets the drawing of pieces of hidden layers whose triangle of the environment stays; with `only`, nothing else is
   /// drawn.
   void setUnseenLayers(SceneRule::Unseen unseen, bool only = false);
-  /// Whether everything has the colour of the background.
+  /// Sets whether everything has the colour of the background.
   void setAsBackground(bool on) { program_.setUniformValue("asBackground", on); }
 
-  /// The edges of all triangles of a surface, in one colour or, without, in the paints of the triangles. Ends with
-  /// begin() as it was without hatching.
+  /// Draws the edges of all triangles of a surface, in one colour or, if empty, in the paints of the triangles.
+  /// Restores the state of begin() without hatching.
   void drawWires(const SceneBatchPtr& batch, const SceneCamera& camera, const std::optional<QColor>& colour);
 
  private:
   SceneStrokes& strokes_;
   QOpenGLShaderProgram program_;
-  /// Not in OpenGL ES; null where it is missing: no wires then.
+  /// Missing in OpenGL ES; null where it is missing: there are no wires then.
   void(QOPENGLF_APIENTRYP polygonMode_)(GLenum face, GLenum mode) = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// Triangles and edges of environments and meshes, as the view's vertex buffers are made of them.
+// Triangles and edges of environments and meshes, from which the view's vertex buffers are made.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace footfall::ui {
 
-// Edges whose triangles turn by more than about 25 degrees help to read a shape.
+// The limit of creases: edges whose triangles turn by more than about 25 degrees help to read a shape.
 inline constexpr double kCreaseCosine = 0.9;
 
 inline std::array<float, 3> toFloats(const Vec3& p, const Vec3& centre) {

@@ -1,4 +1,4 @@
-// Who gets the mouse in a view.
+// Distributes the mouse events of a view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -10,26 +10,25 @@
 
 namespace footfall::ui {
 
-/// The tool comes first, where there is one; without a tool, what lies in the view to be held (handles). What they do
-/// not take is the camera's.
+/// The active tool gets events first; without a tool, the handles in the view do. The camera gets all other events.
 class ToolMouse {
  public:
-  /// Null: none. The tool before has ended when this returns. False where nothing changes.
+  /// Sets the tool; null: none. The previous tool has ended when this returns. Returns false where nothing changes.
   bool setTool(ViewTool* tool);
   [[nodiscard]] ViewTool* tool() const { return tool_; }
-  /// They must outlive the view; null: none.
+  /// The handles must outlive the view; null: none.
   void setHandles(ViewTool* handles) { handles_ = handles; }
 
-  /// True: taken.
+  /// True: handled.
   bool press(const ViewMouse& mouse);
   bool move(const ViewMouse& mouse);
   enum class Release { Taken, Clicked, None };
-  /// `Clicked`: in one place, and nobody took it.
+  /// `Clicked`: in one place, and the press was not handled.
   Release release(const ViewMouse& mouse);
-  /// A click that nobody took by pressing. True: a tool has it.
+  /// A click whose press was not handled. True: a tool has handled it.
   bool click(const ViewMouse& mouse);
   void leave();
-  /// True: taken.
+  /// True: handled.
   bool pressKey(const QKeyEvent& event);
 
  private:
@@ -37,8 +36,8 @@ class ToolMouse {
 
   ViewTool* tool_ = nullptr;
   ViewTool* handles_ = nullptr;
-  ViewTool* holder_ = nullptr;     ///< has the button until it is released
-  std::optional<QPoint> pressed_;  ///< where a click may have begun
+  ViewTool* holder_ = nullptr;     ///< gets all events until the button is released
+  std::optional<QPoint> pressed_;  ///< set while a press may become a click
 };
 
 }  // namespace footfall::ui

@@ -1,4 +1,4 @@
-// A word over the view about what is seen, until it has been read.
+// A hint over the view about its content, shown until it is closed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace footfall::ui {
 
-/// Somebody who closes it does not see it again: the settings remember that under `setting`.
+/// A hint that the user has closed is not shown again: the settings remember that under `setting`.
 class ViewHint : public QFrame {
   Q_OBJECT
 

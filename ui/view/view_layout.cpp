@@ -35,7 +35,7 @@ bool ViewLayout::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ViewLayout::place(const QSize& view) const {
-  int bottom = view.height() - kMargin;  // of what is left on the right
+  int bottom = view.height() - kMargin;  // bottom of the free room on the right
   const bool cellsInCorner = cells_ && !cells_->fitInto(view);
   if (cellsInCorner) {
     cells_->move(view.width() - cells_->width() - kMargin, view.height() - cells_->height() - kMargin);
@@ -54,11 +54,11 @@ void ViewLayout::place(const QSize& view) const {
     bottom = view.height() - kMargin;
     if (cellsInCorner && shown(cells_) && cells_->x() < right) bottom = cells_->y() - kGap;
   }
-  // In a small view the heights leave more than half of the height free.
+  // The heights leave more than half of the height free in a small view.
   const int most = std::max(heights_->minimumSizeHint().height(), std::min(wanted.height(), view.height() * 3 / 8));
   heights_->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   if (hint_) {
-    constexpr int kNarrow = 240;  // lines would be broken too often
+    constexpr int kNarrow = 240;  // narrower lines would be broken too often
     int end = shown(heights_) ? heights_->x() - kGap : right;
     int y = shown(heights_) ? heights_->y() : top;
     if (shown(heights_) && end - kMargin < kNarrow) {
@@ -70,7 +70,7 @@ void ViewLayout::place(const QSize& view) const {
   }
   if (!legend_->fitInto(view)) legend_->move(kMargin, view.height() - legend_->height() - kMargin);
   if (cutBar_) {
-    // As wide as is handy, but not under what stands on the right.
+    // The bar has a convenient width, but does not extend under the widgets on the right.
     constexpr int kHandy = 420;
     const int left = shown(heights_) ? heights_->x() : shown(gizmo_) ? gizmo_->x() : view.width();
     const QSize least = cutBar_->minimumSizeHint();

@@ -1,4 +1,4 @@
-// Where what lies over the view goes: nothing covers anything else, and nothing is cut off.
+// Places the widgets over the view so that they neither overlap nor are cut off.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,12 +16,13 @@
 
 namespace footfall::ui {
 
-/// Children of the view; those that are null or hidden take no place. Legends that somebody has moved stay there.
+/// All widgets are children of the view; null and hidden ones take no place. Legends that the user has moved stay
+/// there.
 class ViewLayout : public QObject {
   Q_OBJECT
 
  public:
-  /// Makes the legend and the heights; the others come with features.
+  /// Makes the legend and the heights; features set the others.
   explicit ViewLayout(LevelView& view);
 
   [[nodiscard]] Legend& legend() const { return *legend_; }          ///< lower left
@@ -32,9 +33,9 @@ class ViewLayout : public QObject {
   void setCellLegend(OverlayFrame* legend) { cells_ = legend; }  ///< lower right
   void setCutBar(QWidget* bar) { cutBar_ = bar; }                ///< upper left
 
-  /// To be called when one of them has been shown, hidden or changed.
+  /// Called when one of them has been shown, hidden or changed.
   void update();
-  /// What of the view they cover.
+  /// The rectangles of the view that they cover.
   [[nodiscard]] std::vector<QRect> covered() const;
 
  protected:

@@ -1,4 +1,4 @@
-// The ways in which the view shows a level.
+// The modes of the view.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,11 +11,11 @@
 namespace footfall::ui {
 
 enum class ViewMode : std::uint8_t {
-  Result,           ///< what is walkable, and why the rest is not
+  Result,           ///< walkable area, and the reasons why the rest is not
   Wireframe,        ///< edges of all triangles, nothing hides anything
-  HiddenLine,       ///< edges of what is in front
+  HiddenLine,       ///< edges of visible triangles
   WalkableOnly,     ///< without the environment
-  RejectedBy,       ///< the filter that removed a place stands out
+  RejectedBy,       ///< places by the filter that removed them
   Slope,            ///< floors by their angle
   Clearance,        ///< floors by the free height above them
   SourceTriangles,  ///< walkable pieces by the triangle that they come from
@@ -25,15 +25,15 @@ inline constexpr std::array kViewModes = {ViewMode::Result,       ViewMode::Wire
                                           ViewMode::WalkableOnly, ViewMode::RejectedBy,     ViewMode::Slope,
                                           ViewMode::Clearance,    ViewMode::SourceTriangles};
 
-/// "slope": in command names, sessions and --mode.
+/// The name in commands, sessions and --mode: "slope".
 std::string_view nameOf(ViewMode mode);
 std::optional<ViewMode> viewModeFrom(std::string_view name);
 QString labelOf(ViewMode mode);
-/// One sentence.
+/// One sentence that explains the mode.
 QString helpOf(ViewMode mode);
-/// Whether there is nothing to show before a run has finished.
+/// Returns whether the mode needs a finished run.
 bool needsResult(ViewMode mode);
-/// Floors have the colours of a scale.
+/// Returns whether floors have the colours of a scale.
 inline bool isHeatMap(ViewMode mode) { return mode == ViewMode::Slope || mode == ViewMode::Clearance; }
 
 }  // namespace footfall::ui

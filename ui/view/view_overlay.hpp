@@ -1,4 +1,4 @@
-// What a tool draws over the scene: lines, surfaces, marks and words at places of the environment.
+// The overlay of a tool: lines, surfaces, marks and texts at places of the environment, drawn over the scene.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -17,7 +17,7 @@ struct ViewOverlay {
     std::vector<std::array<Vec3, 2>> segments;
     QColor colour;
     float width = 2;
-    QColor rim = {};  ///< of one more pixel on each side, so that it shows on everything; invalid: none
+    QColor rim = {};  ///< colour of one more pixel on each side, so that it is visible on any background; invalid: none
   };
   struct Surface {
     std::vector<std::array<Vec3, 3>> triangles;
@@ -34,9 +34,9 @@ struct ViewOverlay {
   };
   std::vector<Surface> surfaces;
   std::vector<Lines> lines;
-  std::vector<Mark> marks;    ///< seen through everything
-  std::vector<Label> labels;  ///< seen through everything, beside their place
-  /// What walls hide is seen as well: handles, and obstacles somewhere behind others.
+  std::vector<Mark> marks;    ///< visible through everything
+  std::vector<Label> labels;  ///< visible through everything, beside their place
+  /// True for handles, and for obstacles behind others: parts behind walls are visible as well.
   bool throughWalls = false;
 };
 

@@ -1,4 +1,4 @@
-// What a view shows of a level, and what a line of sight meets there.
+// The content of a view of a level, and the intersection of lines of sight with it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -13,21 +13,22 @@
 
 namespace footfall::ui {
 
-/// The environment, the result on it, cells and heat maps, and what of them is switched off or cut away. What is drawn
-/// goes on to a renderer. Rays are in the scene's coordinates: the environment's, from its centre.
+/// Holds the environment, the result on it, cells and heat maps, and which parts of them are switched off or cut away.
+/// It passes drawn content to a renderer. Rays are in the scene's coordinates: the environment's, relative to its
+/// centre.
 class ViewScene {
  public:
-  /// The renderer must outlive it.
+  /// The renderer must outlive this object.
   explicit ViewScene(SceneRenderer& renderer) : renderer_(renderer) {}
 
-  /// Another environment, without content and cells.
+  /// Sets another environment, without content and cells.
   void setEnvironment(std::shared_ptr<const EnvironmentGeometry> environment);
-  /// An edit of it, with the same centre; content and cells stay.
+  /// Sets an edit of the environment, with the same centre; content and cells stay.
   void replaceEnvironment(std::shared_ptr<const EnvironmentGeometry> environment);
-  /// What lies around the environment; null: nothing.
+  /// Sets the surroundings of the environment; null: none.
   void setBackdrop(BackdropPtr backdrop);
   void setContent(ViewContent content);
-  /// All but the mode and whether one looks inside, which have setters of their own.
+  /// Sets all parts except the mode and whether closed levels are opened, which have setters of their own.
   void setParts(const SceneParts& parts);
   void setMode(ViewMode mode) { parts_.mode = mode; }
   void setInside(bool on) { parts_.inside = on; }
@@ -46,16 +47,16 @@ class ViewScene {
   [[nodiscard]] bool showsCells() const { return parts_.cells && cells_; }
   /// The scene's origin, in the environment's coordinates.
   [[nodiscard]] Vec3 centre() const { return environment_ ? environment_->centre : Vec3{}; }
-  /// What heights and cut plane leave, in the scene's coordinates.
+  /// The space between the heights and the cut plane, in the scene's coordinates.
   [[nodiscard]] ShownSpace shown() const;
 
-  // While the camera looks along `viewDirection`, which decides what is open:
+  // `viewDirection` is the direction of the camera, which decides whether covers are open.
   [[nodiscard]] std::optional<SurfacePoint> seenAlong(const Ray& ray, const QVector3D& viewDirection) const;
-  /// The place where the camera sees something, which may be of the backdrop.
+  /// The visible place, which may be on the backdrop.
   [[nodiscard]] std::optional<Vec3> placeAlong(const Ray& ray, const QVector3D& viewDirection) const;
-  /// Nothing where there is no cell, or none are shown.
+  /// Empty where there is no cell, or none are shown.
   [[nodiscard]] std::optional<std::size_t> cellAlong(const Ray& ray, const QVector3D& viewDirection) const;
-  /// In the environment's coordinates.
+  /// The box is in the environment's coordinates.
   [[nodiscard]] std::optional<SceneBox> boundsOfCell(std::size_t cell) const;
 
  private:

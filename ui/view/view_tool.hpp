@@ -1,4 +1,4 @@
-// A tool that has the mouse in the view: asking why, measuring, finding paths, moving obstacles.
+// The interface of mouse tools in the view: "Why?", measuring, paths, moving obstacles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -9,7 +9,7 @@
 
 namespace footfall::ui {
 
-/// What the mouse did, in the view's logical pixels.
+/// A mouse event, in the view's logical pixels.
 struct ViewMouse {
   QPoint place;
   Qt::MouseButton button = Qt::NoButton;
@@ -17,26 +17,27 @@ struct ViewMouse {
   Qt::KeyboardModifiers modifiers = Qt::NoModifier;
 };
 
-/// LevelView::setTool() gives the mouse to one tool at a time; the camera keeps what the tool does not take. Esc ends a
-/// tool that does not take the key itself. Tools pick with LevelView::pick() and draw with LevelView::setOverlay().
+/// LevelView::setTool() activates one tool at a time; the camera gets the events that the tool does not handle. Esc
+/// ends a tool that does not handle the key itself. Tools pick with LevelView::pick() and draw with
+/// LevelView::setOverlay().
 class ViewTool {
  public:
   virtual ~ViewTool() = default;
-  /// True takes the button until it is released: the camera stays where it is.
+  /// True captures the button until it is released: the camera does not move.
   virtual bool mousePressed(const ViewMouse&) { return false; }
-  /// With a button that the tool took, or with none.
+  /// Called with a button that the tool has captured, or with none.
   virtual void mouseMoved(const ViewMouse&) {}
   virtual void mouseReleased(const ViewMouse&) {}
-  /// The left button, pressed and released in one place, not taken by mousePressed().
+  /// The left button was pressed and released in one place, and mousePressed() has not captured it.
   virtual void clicked(const ViewMouse&) {}
-  /// True: taken.
+  /// True: handled.
   virtual bool keyPressed(const QKeyEvent&) { return false; }
   /// The mouse has left the view.
   virtual void mouseLeft() {}
-  /// Another tool took over, or Esc; take back what is drawn.
+  /// Another tool became active, or Esc was pressed; the tool removes its drawing.
   virtual void ended() {}
   [[nodiscard]] virtual QCursor cursor() const { return Qt::CrossCursor; }
-  /// One line for the status bar: what to do next.
+  /// One line for the status bar: the next action.
   [[nodiscard]] virtual QString hint() const { return {}; }
 };
 

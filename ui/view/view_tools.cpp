@@ -14,7 +14,7 @@ QAction* ViewTools::add(Command command, ViewTool* tool, QDockWidget* panel) {
   auto* action = new QAction(command.text, parent());
   action->setCheckable(true);
   connect(action, &QAction::triggered, this, [this, action, tool, panel](bool on) {
-    // A panel that cannot be seen is asked for, not sent away.
+    // A hidden panel is shown by the command, not closed.
     const bool raises = !on && panel && !isInFront(*panel);
     if (on || raises) {
       view_.setTool(tool);

@@ -1,4 +1,4 @@
-// Tools for the mouse in the view, each with its command.
+// The mouse tools of the view, each with its command.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -16,9 +16,9 @@ class ViewTools : public QObject {
  public:
   ViewTools(CommandRegistry& commands, LevelView& view, QObject* parent);
 
-  /// A command of the menu Tools that gives the mouse to `tool`, or takes it back, and is checked while the tool has
-  /// it. The tool must outlive the view. With a panel: the command shows it; while the panel is hidden or behind
-  /// another tab, the command does nothing but that.
+  /// Adds a command of the menu Tools that activates and deactivates `tool`, and is checked while the tool is active.
+  /// The tool must outlive the view. With a panel, the command shows it; while the panel is hidden or behind another
+  /// tab, the command only brings it to the front.
   QAction* add(Command command, ViewTool* tool, QDockWidget* panel = nullptr);
 
  private:
