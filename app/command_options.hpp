@@ -53,7 +53,7 @@ void addThreads(CLI::App& command, int& threads,
 void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help);
 /// `--part` (from 1; 0 where it is not given) and `--crs`, for polygons.
 void addPolygonOptions(CLI::App& command, std::uint32_t& part, std::string& coordinateSystem);
-/// For options that name a file to write: an empty name is an error, where it would be taken for none.
+/// A check for options that name a file to write: an empty name is an error and does not mean "no file".
 CLI::Validator hasName();
 /// An option with three coordinates.
 CLI::Option* addPlace(CLI::App& command, const std::string& name, std::array<double, 3>& place,

@@ -20,7 +20,7 @@ int fail(ExitCode code, const char* message) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // writing says that nobody reads any more
+  std::signal(SIGPIPE, SIG_IGN);  // a write then fails with EPIPE when the reader has gone
   try {
     footfall::app::runCommandLine(argc, argv);
     return kDone;

@@ -38,7 +38,8 @@ struct RunOptions {
   bool quiet = false;
 };
 
-/// The export's own files among them, as far as they are known: layers of polygons are counted by the run.
+/// The targets include the export's own files as far as they are known. The number of layer files is known only after
+/// the run.
 WriteTargets checkTargets(const RunOptions& options) {
   options.exported.check();
   checkEnding(options.statistics, "--stats", ".json");
@@ -129,7 +130,7 @@ void runAs(RunProgram& program, RunOptions& options, bool isWithin) {
   program.end();
 }
 
-/// Tiles are no export: what is said of one is said when they are joined.
+/// Tiles are not an export: export options apply when the tiles are joined.
 CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
   CLI::Option* memory =
       command

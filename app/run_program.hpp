@@ -21,7 +21,7 @@ class RunProgram {
 
   /// Adds options behind those of the command itself.
   virtual void addOptions(CLI::App& /*command*/) {}
-  /// Nothing is read yet.
+  /// Called before anything is read.
   virtual void begin(int /*threads*/) {}
   /// True when progress is shown even if standard error is no terminal.
   [[nodiscard]] virtual bool showsProgress() const { return false; }
@@ -29,7 +29,7 @@ class RunProgram {
   virtual void setContext(RunContext* /*context*/) {}
   /// False when another process prints and writes the results.
   [[nodiscard]] virtual bool writes() const { return true; }
-  /// Those that share a run within a bound of memory; null: nobody else does.
+  /// The processes that share a run within a bound of memory; null: there are no others.
   [[nodiscard]] virtual detail::RankGroup* group() { return nullptr; }
   /// Drops what the run must leave behind it: at once, or where other processes work with it, when all of them are
   /// over.

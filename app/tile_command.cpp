@@ -42,7 +42,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kMegabyte = std::uint64_t{1} << 20;
 
-/// A lock on a folder, for as long as the process has it. File systems that cannot lock folders refuse nobody.
+/// A lock on a folder that lives as long as the process. On file systems without folder locks, it always succeeds.
 class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder) : file_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
@@ -213,7 +213,7 @@ std::string summaryOf(const TileCommandOptions& options, const TileRunResult& re
          (result.ranks.size() > 1 ? ", the most of " + std::to_string(result.ranks.size()) + " ranks\n" : "\n");
 }
 
-/// Nothing but tiles and their index goes into their folder.
+/// The folder of the tiles may contain only tiles and their index.
 void checkOutside(const std::string& path, const std::string& folder, Pattern problem) {
   if (path.empty()) return;
   std::error_code ignored;

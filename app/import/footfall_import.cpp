@@ -63,8 +63,7 @@ std::string streamOf(const std::string& path) {
   ::_exit(0);  // nothing is freed: that takes time
 }
 
-/// It ends with the process that started it, leaves no dump of its memory, and is the first to go where memory runs
-/// out.
+/// Makes this process end with its parent, write no core dump, and be killed first where memory runs out.
 bool prepare(const char* parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != std::atoi(parent)) return false;

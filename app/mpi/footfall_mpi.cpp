@@ -21,7 +21,7 @@ using namespace footfall;
 
 enum ExitCode { kDone = 0, kRunFailed = 1, kWrongInput = 2 };
 
-// MPI and we have threads that know nothing of signals; a thread of ours waits for them.
+// MPI and the library have threads that do not handle signals; one thread of this program waits for them.
 void blockSignals() {
   sigset_t signals;
   sigemptyset(&signals);

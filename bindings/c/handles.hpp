@@ -58,7 +58,7 @@ struct footfall_inspector {
 
 namespace footfall::c {
 
-/// Keeps the message of the exception that is being handled, for this thread, and says what it is.
+/// Keeps the message of the exception that is being handled, for this thread, and returns its status.
 footfall_status keepMessage(const char* function) noexcept;
 
 /// Runs what stands in a function that can fail; keeps the message of what it throws.

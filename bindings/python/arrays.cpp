@@ -18,7 +18,7 @@ static_assert(sizeof(Triangle) == 3 * sizeof(std::uint32_t));
 std::string shapeOf(const py::array& array) { return py::str(array.attr("shape")); }
 std::string typeOf(const py::array& array) { return py::str(array.dtype()); }
 
-/// The array that numpy makes of an object; `wanted` says what is to be given.
+/// The array that numpy makes of an object; `wanted` names the expected value in messages.
 py::array arrayFrom(const py::object& given, const std::string& name, const char* wanted) {
   const py::array array = given.is_none() ? py::array() : py::array::ensure(given);
   if (!array || given.is_none())

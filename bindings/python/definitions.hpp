@@ -11,7 +11,7 @@ namespace footfall::python {
 
 namespace py = pybind11;
 
-/// Writes "name(self, first, *, second=0)" from what pybind11 gets to know of the arguments.
+/// Writes "name(self, first, *, second=0)" from the arguments as pybind11 receives them.
 class Signature {
  public:
   explicit Signature(const std::string& name) : text_(name + "(") {}

@@ -148,7 +148,7 @@ void bindPlace(py::module_& module) {
       });
 }
 
-/// What takes a reach, whose default is another one for areas.
+/// Defines the functions with a reach, whose default differs for areas.
 template <class Self, class Class>
 void defineReaching(Class& type, const char* usual) {
   const std::string reach = std::string("\nreach: how far above or below it may be; None: ") + usual + ".\n";

@@ -42,15 +42,15 @@ struct Area : Mesh {
   std::shared_ptr<ResultCache> cache;
   std::shared_ptr<const SeparationFinder> separations = nullptr;
   std::shared_ptr<const Inspector> inspector = nullptr;
-  /// What formatStatistics() and formatSummary() said of the run: set for an area from a pickle, whose `result` has
-  /// its mesh, its area and the number of threads only.
+  /// The texts of formatStatistics() and formatSummary() for the run. They are set for an area from a pickle, whose
+  /// `result` has its mesh, its area and the number of threads only.
   std::optional<std::string> statistics = std::nullopt, summary = std::nullopt;
 };
 
 /// The path finder of a mesh, made once.
 std::shared_ptr<const PathFinder> finderOf(Mesh& mesh);
 
-/// How far above or below a place may be: what is given, or `otherwise`. Throws InputError.
+/// The height above or below a place within which its ground may lie: the given one, or `otherwise`. Throws InputError.
 double reachFrom(std::optional<double> reach, double otherwise);
 
 /// The numbers of a mesh for people: "4 vertices, 2 triangles, 1 layer".

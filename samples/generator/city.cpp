@@ -77,7 +77,7 @@ void addFurniture(Mesh& mesh, Random& random, Point lower, Point upper) {
   }
 }
 
-// From the pavement to the roof; its origin is its south-western corner.
+// The house extends from the pavement to the roof; its origin is its south-western corner.
 void addHouse(Mesh& mesh, Random& random) {
   const int storeys = random.between(1, 5);
   for (int storey = 0; storey < storeys; ++storey) {
@@ -162,7 +162,7 @@ void addTunnel(Mesh& mesh, Point hole, Point holeEnd) {
   stairs(mesh, {hole.x, hole.y, -kTunnelDepth}, {holeEnd.x, holeEnd.y, kKerb}, 24, true);
 }
 
-// Over the street in the west, from the passage of the block there to that of this one.
+// The bridge crosses the street in the west, from the passage of the block there to that of this one.
 void addBridge(Mesh& mesh) {
   mesh.group("bridge");
   const int y = 2_m + kDepth + (kPassage - kBridgeWidth) / 2, run = 9_m, edge = 1_m;

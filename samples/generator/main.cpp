@@ -23,7 +23,7 @@ constexpr std::string_view kUsage =
     "usage: footfall-samples FOLDER, or footfall-samples city TRIANGLES FILE.obj,\n"
     "or footfall-samples scene town|office|foliage|noise|ramps TRIANGLES FILE.obj [SEED]\n";
 
-/// A whole number above 0, or 0 after a message that says what it should be.
+/// A whole number above 0; 0 after a message with the expected values.
 std::uint64_t numberOf(const std::string& text, std::string_view meaning) {
   std::uint64_t count = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);

@@ -17,7 +17,7 @@ namespace {
 constexpr float kUnit = 1.0F / kUnitsPerMetre;
 constexpr int kBlock = 72;  // metres between blocks of the city
 
-/// Where an object stands: turned about Z, made smaller or larger, moved. Metres.
+/// The transform of an object: a turn about Z, a scale and a translation in metres.
 struct Placement {
   float cosine = 1, sine = 0, x = 0, y = 0, z = 0;
 };
@@ -175,7 +175,7 @@ void addLeaf(Mesh& mesh, Random& random, Point at) {
   mesh.quad(c, b, a, e);
 }
 
-// In a twelfth of the size.
+// Coordinates are in twelfths of the size.
 Mesh crown(Random& random, int leaves, int radius, int height) {
   return meshOf([&](Mesh& mesh) {
     for (int i = 0; i < leaves; ++i) {

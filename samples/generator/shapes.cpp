@@ -135,7 +135,7 @@ void stairs(Mesh& mesh, Point lower, Point upper, int steps, bool clip) {
     mesh.quad(l, k, d, f);
   }
   fin(mesh, {upper.x, lower.y, lower.z}, {upper.x, upper.y, lower.z}, upper.z - lower.z);
-  // From the foot of the first riser, one tread before it, to the nose of the last step, and so through all noses.
+  // The ramp runs from the foot of the first riser, one tread before it, through all noses to that of the last step.
   if (clip) slope(mesh, {lower.x - run, lower.y, lower.z}, {lower.x + (steps - 1) * run, upper.y, upper.z});
 }
 
@@ -229,7 +229,7 @@ void shell(Mesh& mesh, Point lower, int width, int depth, int height, int thickn
 }
 
 void gableRoof(Mesh& mesh, Point lower, int width, int depth, int rise, int overhang, int thickness) {
-  // The eaves hang as far below the walls' tops as the pitch asks for.
+  // The eaves hang below the walls' tops by the slope of the pitch.
   const int drop = 2 * rise * overhang / depth;
   const int x0 = lower.x - overhang, x1 = lower.x + width + overhang;
   const int south = lower.y - overhang, middle = lower.y + depth / 2, north = lower.y + depth + overhang;

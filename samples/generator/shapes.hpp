@@ -1,4 +1,5 @@
-// Simple solids and sheets that the samples are built from. Faces look outward, sheets look up, unless said otherwise.
+// Simple solids and sheets that the samples are built from. Faces look outward and sheets look up, unless a comment
+// says otherwise.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -11,11 +12,11 @@ namespace footfall::samples {
 
 using Ring = std::vector<Point>;
 
-/// Which ends of a solid are closed.
+/// The ends of a solid that are closed.
 enum class Caps { kBoth, kTop, kBottom, kNone };
 
-/// Between a tall solid and the floor that it stands on, as in many models: its closed underside then takes the floor
-/// inside it away. On a coincident face that floor would stay, a place to walk on that nobody can reach.
+/// The gap between a tall solid and the floor that it stands on, as in many models: its closed underside then removes
+/// the floor inside of it. On a coincident face that floor would stay, as a walkable place that nobody can reach.
 constexpr int kHair = 1;
 
 /// A horizontal rectangle, counter-clockwise seen from above.

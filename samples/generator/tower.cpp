@@ -1,4 +1,4 @@
-// The stacked tower (thesis, 5.4, figure 33): hard for anything that only looks at the plan.
+// The stacked tower (thesis, 5.4, figure 33), which is hard for methods that only use the plan.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "samples.hpp"
 #include "shapes.hpp"

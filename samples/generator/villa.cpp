@@ -32,7 +32,7 @@ class Terrain {
       }
   }
   int at(int column, int row) const { return heights_[row * (kCells + 1) + column]; }
-  /// At the grid point below and left of a place: near enough to put things on it.
+  /// The grid point below and left of a place, which is near enough to put objects on it.
   int near(int x, int y) const { return at((x + kHalf) / kCell, (y + kHalf) / kCell); }
 
  private:

@@ -140,7 +140,7 @@ class Benchmark {
   }
 
   Json measureThePrototype(const Subject& subject, const Json& footfall) const {
-    // It reads OBJ with Y up; then the same OBJ is what ours is measured on.
+    // Recast reads OBJ with Y up, so Footfall is measured on the same OBJ.
     Subject same = subject;
     const std::string ending = ".obj";
     if (!subject.path.ends_with(ending)) {

@@ -121,7 +121,7 @@ Json measureCancelling(const Subject& subject, int threads, int moments) {
   loadAndRun(subject, threads, uninterrupted);
   const double wholeMs = whole.wallMs();
 
-  // On a busy machine the thread that cancels may come too late each time.
+  // On a busy machine the thread that cancels may be late each time.
   constexpr int kAttempts = 5;
   std::vector<Latency> latencies;
   for (int i = 0; i < moments || (latencies.empty() && i < moments * kAttempts); ++i)

@@ -24,8 +24,8 @@ constexpr int kMoves = 40;    // moves of the mouse in a drag
 constexpr int kRestMs = 400;  // pause between two edits: nothing of the one before is under way any more
 constexpr int kPatienceMs = 300'000;
 
-/// A way to edit: which field, and the values that it gets one after the other. None comes twice, so that nothing is
-/// answered from the cache, and each changes what one sees of the docks.
+/// A series of edits: the field and its successive values. No value repeats, so that no result comes from the cache,
+/// and each changes the picture of the docks.
 struct Series {
   const char* name;
   const char* filter;
@@ -244,7 +244,7 @@ Json measureObstacle(EditorWindow& window) {
 
 // --- Agents
 
-// Switches between two agents whose results are known.
+// Switches between two agents with cached results.
 Json measureAgents(EditorWindow& window) {
   LevelView& view = window.view();
   auto& panel = *window.findChild<AgentsPanel*>();

@@ -16,7 +16,7 @@ inline constexpr QSize kBenchWindow(1100, 800);
 
 struct EditorSubject {
   std::string environment;
-  int edits = 12;     ///< edits of each parameter; 0: those parameters do not change what one sees
+  int edits = 12;     ///< edits of each parameter; 0: those parameters do not change the picture
   bool whole = true;  ///< true: with obstacles and agents
 };
 

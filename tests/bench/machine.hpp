@@ -6,11 +6,11 @@
 
 namespace footfall::bench {
 
-/// As many threads can run at the same time.
+/// The number of threads that can run at the same time.
 int processorCount();
 
-/// `processor` (its name), `processors`, `memory_bytes`, `system`, and `load`: how many other processes wanted a
-/// processor in the last minute. What the system does not say is null.
+/// `processor` (its name), `processors`, `memory_bytes`, `system`, and `load`: the number of other processes that
+/// needed a processor in the last minute. Values that the system does not report are null.
 Json describeMachine();
 
 }  // namespace footfall::bench

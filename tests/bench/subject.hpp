@@ -21,7 +21,7 @@ struct Subject {
 /// "FILE" (with the given clearance) or "FILE:HEIGHT". Throws InputError for a height that is none or a missing file.
 Subject parseSubject(const std::string& text, double clearance);
 
-/// Those of the source tree that the program was built from.
+/// The samples of the source tree that the program was built from.
 std::vector<Subject> sampleSubjects();
 
 /// Reads the subject's file with the scale that its clearance implies.

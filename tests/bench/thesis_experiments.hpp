@@ -11,7 +11,7 @@ namespace footfall::bench {
 
 struct ThesisOptions {
   std::vector<ThesisSubject> subjects;
-  /// Which experiments.
+  /// The experiments to run.
   bool due = true, strategies = true, printed = true, scaling = true, correctness = true;
   std::vector<std::string> strategyTexts;  ///< empty: those of the thesis and ours
   std::vector<int> threads;                ///< of the scaling, ascending; those above the processors only take turns

@@ -1,4 +1,5 @@
-// What the thesis measured (5.3 to 5.5), on environments of the sizes of our samples, with 32 threads on 16 cores.
+// The measurements of the thesis (5.3 to 5.5), on environments of the sizes of our samples, with 32 threads on 16
+// cores.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -24,7 +24,7 @@ struct Configuration {
 RunResult runConfiguration(const ThesisSubject& subject, const std::shared_ptr<const Environment>& environment,
                            const Configuration& configuration);
 
-/// So many rounds at least, unless the longest time is over, and further ones until the shortest time is over.
+/// The number of rounds: at least `runs` unless `mostSeconds` have passed, and more until `leastSeconds` have passed.
 struct Rounds {
   int runs = 7;
   double leastSeconds = 2;

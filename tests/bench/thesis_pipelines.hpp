@@ -21,7 +21,7 @@ struct ThesisSubject {
 /// The samples of the repository.
 std::vector<ThesisSubject> samplesWithPipelines();
 
-/// Which filters run, in which order and with which parameters.
+/// The filters that run, their order and their parameters.
 enum class FilterList {
   Own,                ///< the sample's pipeline file, or the default pipeline
   ThesisSequential,   ///< the sequential listing of 5.4 with slope, clearance and area of Own, distances in metres

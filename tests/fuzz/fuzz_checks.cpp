@@ -1,5 +1,5 @@
-// Any bytes to what looks at other formats before and beside Assimp: truncation of PLY and STL, Collada's <asset>. The
-// first byte says which.
+// Feeds any bytes to the checks of other formats before and beside Assimp: truncation of PLY and STL, and Collada's
+// <asset>. The first byte chooses the check.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 

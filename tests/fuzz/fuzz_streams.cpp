@@ -1,6 +1,7 @@
-// Any bytes as OBJ (the first byte is o), PLY (p) or STL that is packed: an environment in order, or one line of error.
-// OBJ gives what importing the file gives. Assimp, which imports the others, minds what says nothing about geometry (a
-// letter in a normal) and takes much for a number that is none; files in order are compared by test_packed_streams.
+// Feeds any bytes as OBJ (the first byte is o), PLY (p) or STL to the packer, which must give a valid environment or
+// one line of error. OBJ must give the result of importing the file. Assimp, which imports the others, rejects errors
+// outside of the geometry (a letter in a normal) and accepts many malformed numbers; test_packed_streams compares valid
+// files.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 #include <new>

@@ -27,10 +27,10 @@ inline void require(bool promise, const std::string& what) {
   std::abort();
 }
 
-/// Requires what holds for every message to a user: one line that begins with the file's name and says what to do.
+/// Checks the form of a message to a user: one line that begins with the file's name and says what to do.
 inline void requireGoodMessage(std::string_view message, std::string_view file) {
   require(message.starts_with(file), "the message does not begin with the file: " + std::string(message));
-  // "A needs B before it" says what to do as well.
+  // "A needs B before it" also says what to do.
   const bool saysWhatToDo = message.find("; ") != message.npos || message.ends_with(" before it");
   require(saysWhatToDo, "the message does not say what to do: " + std::string(message));
   for (const char c : message)

@@ -8,9 +8,9 @@
 
 namespace footfall::fuzz {
 
-/// The first thing that is wrong, in words; empty when nothing is:
-/// - slope and clearance give exactly what the reference says (reference::checkProduct);
-/// - so does a longer list of filters that keep the set: nothing twice, conforming, no overlap within a layer;
+/// Describes the first error; empty when there is none:
+/// - slope and clearance give exactly the result of the reference (reference::checkProduct);
+/// - a longer list of filters that keep the set does too: no duplicates, conforming, no overlap within a layer;
 /// - any list of filters gives the same bytes on one thread, on two and with the input shuffled.
 std::string findPipelineError(const PipelineCase& experiment);
 

@@ -19,8 +19,8 @@ class SlowSoups {
   /// `noisy`: every second soup has coordinates that are off by their last bits as floats.
   SlowSoups(std::uint64_t seed, std::size_t most, bool noisy = false) : engine_(seed), most_(most), noisy_(noisy) {}
 
-  /// Something known to be much work: floors above each other, slabs or blades over a floor, needles, walls, ramps,
-  /// crates at all angles, furniture.
+  /// Inputs that cause much work: floors above each other, slabs or blades over a floor, needles, walls, ramps, crates
+  /// at all angles, furniture.
   Triangles make();
   /// A soup with a few runs of its triangles copied, moved, turned, stretched or snapped, or taken from `other`.
   Triangles mutate(const Triangles& soup, const Triangles& other);

@@ -15,7 +15,7 @@ double orientation(const Place& a, const Place& b, const Place& c) {
   return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
 }
 
-// Not its very ends: where a border meets a step, one walks over the step beside the corner.
+// The very ends of a border are excluded: where a border meets a step, agents walk over the step beside the corner.
 Place nearestOn(const Place& a, const Place& b, const BorderStretch& part, double x, double y) {
   constexpr double kEnd = 1e-8;
   const double dx = b[0] - a[0], dy = b[1] - a[1];

@@ -58,7 +58,7 @@ class BorderDistance {
     return beyond_[triangle][side];
   }
   [[nodiscard]] double height(const SurfacePlace& place) const;
-  /// So thin, or so small, that doubles say little of it.
+  /// Returns whether a triangle is too thin or too small for doubles.
   [[nodiscard]] bool isNeedle(std::uint32_t triangle) const;
   /// The triangle over or under a place of the plan whose height is nearest, if it differs by at most `most`; none
   /// that is hardly wider than roundings.

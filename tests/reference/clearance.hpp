@@ -1,5 +1,5 @@
-// How far a place of a navigation mesh is from its border, by looking in all directions: slow and obvious. With
-// rational numbers it is exact; with doubles it serves for large meshes. SPDX-License-Identifier: GPL-3.0-or-later
+// The distance of a place of a navigation mesh from its border, found by searching in all directions: slow and obvious.
+// It is exact with rational numbers; with doubles it serves large meshes.
 #pragma once
 
 #include <gmpxx.h>
@@ -30,7 +30,7 @@ class SeenBorder {
     const Place a = corner(face, 0), b = corner(face, 1), c = corner(face, 2);
     return {Number(c.x + u * (a.x - c.x) + v * (b.x - c.x)), Number(c.y + u * (a.y - c.y) + v * (b.y - c.y))};
   }
-  /// From a place inside of a face.
+  /// Starts from a place inside of a face.
   std::optional<Number> squaredDistance(std::uint32_t face, const Place& p) {
     place_ = p;
     best_.reset();
@@ -66,7 +66,7 @@ class SeenBorder {
     const Number aside = turn(a, way);
     return aside * aside / length;
   }
-  /// Where a direction meets the line from a to b.
+  /// The place where a direction meets the line from a to b.
   static Place meet(const Place& direction, const Place& a, const Place& b) {
     const Place way = minus(b, a);
     const Number t = turn(direction, a) / turn(way, direction);

@@ -37,10 +37,9 @@ EdgeMap findEdges(const std::vector<Piece>& pieces);
 /// The number of each piece's connected part over whole shared edges that are not obstacle edges.
 std::vector<std::size_t> connectedParts(const std::vector<Piece>& pieces);
 
-/// The first disagreement in words, or an empty text when the product is exactly what the reference says:
-/// the same set in every plane, nothing twice, every piece inside its source triangle; whole edges shared wherever two
-/// pieces meet; edges between two pieces are obstacle edges exactly where walls stand, and walls cut through no piece;
-/// the same connected parts.
+/// Describes the first disagreement; empty when the product is exactly the reference: the same set in every plane, no
+/// duplicates, every piece inside its source triangle; whole edges shared wherever two pieces meet; edges between two
+/// pieces are obstacle edges exactly where walls stand, and walls cut through no piece; the same connected parts.
 std::string findDifference(const Environment& environment, const WalkableArea& area, const std::vector<Piece>& pieces);
 
 /// Only: the same set in every plane, nothing twice. For states that need not be joined yet.

@@ -16,7 +16,8 @@ struct DropAgent {
 /// The point of a border at a share of its length, 0 at `from`.
 Point3 pointOn(const BorderEdge3& border, const Rational& share);
 
-/// Nothing of the environment reaches into the heights (z + step, z + clearance) straight over a place of the border.
+/// Returns whether the environment leaves the heights (z + step, z + clearance) free straight over a place of the
+/// border.
 bool isLedgeAt(const Environment& environment, const BorderEdge3& border, const Rational& share,
                const DropAgent& agent);
 

@@ -69,8 +69,7 @@ struct Segment2 {
   Point2 from, to;
 };
 
-/// A box around something in the plan, in doubles and a little too large: what looks at many pairs leaves out those
-/// whose boxes are apart before it looks closely.
+/// A box in the plan, in doubles and a little too large. Algorithms over many pairs skip pairs with separate boxes.
 struct PlanBox {
   std::array<double, 2> lower, upper;
 };

@@ -233,8 +233,8 @@ std::string findPathError(const NavigationMesh& mesh, const PathResult& path, do
     const bool isStep = std::ranges::find(path.steps, i) != path.steps.end();
     if (isStep && planDistance(path.points[i], path.points[i + 1]) != 0) return "a step is not upright";
     if (i == 0 || path.triangles[i - 1] == t) continue;
-    // The path goes around this point from one triangle into the next: through triangles that all reach it, and over
-    // links where the path says so.
+    // The path goes around this point from one triangle into the next: through triangles that all reach the point, and
+    // over the path's links.
     std::set<Index> seen{path.triangles[i - 1]};
     std::vector<Index> stack{path.triangles[i - 1]};
     while (!stack.empty() && seen.count(t) == 0) {

@@ -39,7 +39,7 @@ std::vector<Rational> heightsOver(const std::array<Point3, 3>& t, const Point2& 
 
 std::optional<Segment2> sharedStretch(const BorderEdge3& a, const BorderEdge3& b) {
   const Point2 p = planOf(a.from), q = planOf(a.to), r = planOf(b.from), s = planOf(b.to);
-  if (turn(p, q, r) != 0 || turn(p, q, s) != 0) return std::nullopt;  // most pairs, and soon known
+  if (turn(p, q, r) != 0 || turn(p, q, s) != 0) return std::nullopt;  // true of most pairs, and cheap
   if ((q.x - p.x) * (s.x - r.x) + (q.y - p.y) * (s.y - r.y) >= 0) return std::nullopt;
   return commonPart({p, q}, {r, s});
 }

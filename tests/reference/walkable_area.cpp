@@ -120,7 +120,7 @@ std::optional<Segment2> blockedTrace(const std::array<Point3, 3>& obstacle, cons
     }
     points = std::move(kept);
   }
-  // It must reach into the open interval, not only touch its ends.
+  // The polygon must reach into the open interval, not only touch its ends.
   if (std::all_of(points.begin(), points.end(), [](const Point3& p) { return p.z == 0; })) return std::nullopt;
   if (std::all_of(points.begin(), points.end(), [&](const Point3& p) { return p.z == height; })) return std::nullopt;
   const auto before = [](const Point3& p, const Point3& q) { return p.x != q.x ? p.x < q.x : p.y < q.y; };

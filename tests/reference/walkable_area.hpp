@@ -51,9 +51,9 @@ bool isFree(const Environment& environment, std::uint32_t floor, const Point2& p
 /// Zero area: repeated or collinear corners.
 bool isDegenerate(const std::array<Point3, 3>& corners);
 std::array<Point3, 3> cornersOf(const Environment& environment, std::uint32_t triangle);
-/// Nothing of the triangle is over or under the box: it need not be looked at there.
+/// Returns whether the triangle has no part over or under the box.
 bool isBeside(const Environment& environment, std::uint32_t triangle, const PlanBox& box);
-/// No corner is above `low`, or none is below `high`.
+/// Returns whether no corner is above `low`, or none is below `high`.
 bool isOutOf(const std::array<Point3, 3>& corners, const Rational& low, const Rational& high);
 /// The corners of a triangle as a floor: turned up when the environment takes both sides; empty when it cannot be
 /// walked on.

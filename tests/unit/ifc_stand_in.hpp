@@ -1,4 +1,4 @@
-// A stand-in for the converter of IFC files and for Node.js, that says what a test needs.
+// A stand-in for the converter of IFC files and for Node.js, with the output that a test needs.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -34,7 +34,7 @@ class Variable {
   QByteArray before_;
 };
 
-/// A converter and a program `node` before all others that does what `script` says.
+/// A converter and a program `node`, first in PATH, that run `script`.
 class Converter {
  public:
   explicit Converter(const QByteArray& script) {

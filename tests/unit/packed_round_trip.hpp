@@ -14,7 +14,7 @@
 
 namespace footfall::test {
 
-/// So little that everything goes through the disk.
+/// The bounds are so small that everything goes through the disk.
 inline const PackingMemory kLittle{.scratch = 4096, .cachedPages = 3, .sortedFaces = 500, .merged = 8192};
 /// More than one block.
 inline constexpr int kSide = 150;

@@ -70,7 +70,8 @@ struct Passage {
 
 std::size_t pointsOfBlock(std::size_t first, std::size_t points) { return std::min(kBlockPoints, points - first); }
 
-/// Once to the disk and back. Making and comparing points is not in the times; opening, fsync and closing are.
+/// Writes to the disk and reads back once. The times include opening, fsync and closing, and exclude making and
+/// comparing points.
 Passage passOnce(ExchangeFormat& points, std::size_t count, const std::string& path) {
   Passage passage;
   std::string bytes;

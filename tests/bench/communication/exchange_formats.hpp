@@ -19,7 +19,7 @@ class ExchangeFormat {
   virtual void write(std::string& out) = 0;
   /// Reads a block. Throws detail::BadBytes.
   virtual void read(const std::string& bytes, std::size_t points) = 0;
-  /// Whether read() gave what prepare() had made: the same value, the same expression or the same provenance.
+  /// Returns whether read() gave the points of prepare(): the same value, the same expression or the same provenance.
   [[nodiscard]] virtual bool isSame() const = 0;
 };
 

@@ -22,7 +22,7 @@ Expression growExpression(std::mt19937_64& random, int operations);
 /// Throws std::logic_error for a constant that is no double, which growExpression() does not make.
 void writeTree(std::string& out, const Expression& expression);
 
-/// Builds the graph again; nothing is evaluated but divisors, which CORE looks at. Throws detail::BadBytes.
+/// Builds the graph again; only divisors are evaluated, because CORE tests them. Throws detail::BadBytes.
 Expression readTree(const char*& at, const char* end);
 
 }  // namespace footfall::bench

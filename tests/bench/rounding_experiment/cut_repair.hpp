@@ -12,7 +12,7 @@
 
 namespace footfall::bench {
 
-/// How many triangles of each geometry case (thesis 4.4.2) rounding the cut points made.
+/// The number of triangles of each geometry case (thesis 4.4.2) that rounding the cut points made.
 struct CutCases {
   std::uint64_t exact = 0;      ///< case 1: every corner is where the exact cut has it
   std::uint64_t edge = 0;       ///< case 2: two corners fell together
@@ -31,19 +31,19 @@ struct RoundedCut {
 /// The cut with its rounded places, nothing repaired. `cut` must not be welded: cutEnvironment() without `round`.
 RoundedCut roundCut(const detail::CutEnvironment& cut);
 
-/// What rounding has broken. It looks at the exact places as well, so it takes much longer than the repair: it must not
-/// stand in a measured time. `cut` is what `rounded` was made of.
+/// Counts the cases that rounding has caused. It also uses the exact places, which takes much longer than the repair,
+/// so it must not be part of a measured time. `cut` is the input of `rounded`.
 CutCases countCases(const detail::SourceMesh& mesh, const detail::Partition& partition,
                     const detail::CutEnvironment& cut, const RoundedCut& rounded);
 
-/// Repairs cases 2 to 5 as 4.4.2 says. Vertices in one place become one, which closes cases 2 and 3. A triangle with
-/// collinear corners (case 4) is removed. A flipped triangle (case 5) loses the corner opposite its longest side, which
-/// collapses to the nearer end of that side. No obstacle edge has to be projected (algorithm 3): none exists before the
-/// clearance filter. Ends, because every collapse removes a triangle.
+/// Repairs cases 2 to 5 as 4.4.2 describes. Vertices in one place become one, which closes cases 2 and 3. A triangle
+/// with collinear corners (case 4) is removed. A flipped triangle (case 5) loses the corner opposite its longest side,
+/// which collapses to the nearer end of that side. No obstacle edge has to be projected (algorithm 3), because none
+/// exists before the clearance filter. The loop ends, because every collapse removes a triangle.
 void repairCut(const detail::SourceMesh& mesh, RoundedCut& rounded);
 
-/// Whether the corners of a piece turn as those of the triangle `source` of `mesh`, exactly: +1; 0 where they are
-/// collinear or equal, -1 where they turn the other way.
+/// The orientation of a piece relative to the triangle `source` of `mesh`, exactly: +1 where they turn alike, 0 where
+/// the corners are collinear or equal, -1 where they turn the other way.
 int turnOf(const detail::SourceMesh& mesh, detail::Index source, const std::array<Vec3, 3>& corners);
 
 }  // namespace footfall::bench

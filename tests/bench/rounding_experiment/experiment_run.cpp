@@ -132,7 +132,7 @@ MergedCells mergeCells(const std::vector<MeshPtr>& meshes, const Environment& wh
   return merged;
 }
 
-/// As makeInitialState(), with the obstacle edges.
+/// Makes a state like makeInitialState(), with the obstacle edges.
 StatePtr stateOf(const MergedCells& merged) {
   SoupView soup(merged.environment->vertices, merged.environment->triangles);
   soup.obstacleEdges = merged.obstacleEdges;

@@ -76,7 +76,7 @@ class TestCommandPalette : public QObject {
   void wordsOfTheHelpAreFound() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     CommandPalette& palette = openPalette();
-    // No title has it; a sample whose title has these letters somewhere must not come first.
+    // No title contains it; a sample whose title has these letters somewhere must not come first.
     QTest::keyClicks(palette.field(), "report");
     QVERIFY2(palette.titles().front().startsWith("Export"), qPrintable(palette.titles().front()));
     QTest::keyClick(palette.field(), Qt::Key_Escape);

@@ -29,7 +29,7 @@ QList<QDockWidget*> docksOf(const EditorWindow& window) {
   return window.findChildren<QDockWidget*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
-/// Those of the submenu Panels, with the docks that they show.
+/// The commands of the submenu Panels, with the docks that they show.
 std::vector<PanelCommand> panelCommands(EditorWindow& window) {
   std::vector<PanelCommand> panels;
   for (const CommandRegistry::Entry& entry : window.commands().entries()) {
@@ -273,7 +273,7 @@ class TestPanels : public QObject {
     QCOMPARE(row.figuresText(), QString("2 triangles"));
   }
 
-  // Nobody reads "removed" beside numbers of walkable triangles that are the same before and after.
+  // "removed" must not appear beside numbers of walkable triangles that are the same before and after.
   void whatIsLeftOutSaysWhetherItWasWalkable() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "flat.obj", tableObj() + "v 0 -4 0\nv 4 0 0\nf 1 2 13\nf 2 3 14\n"),
                     "DegeneracyFilter\nSlopeFilter 45\n"));

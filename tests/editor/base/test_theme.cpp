@@ -144,7 +144,7 @@ class TestTheme : public QObject {
     QCOMPARE(darkFromPortal(QVariant::fromValue(QDBusVariant(inner))), std::optional(true));
   }
 
-  // This runs on a bus of its own (initTestCase of main): the desktop of the machine must not matter.
+  // The test runs on a bus of its own (initTestCase of main), so that the desktop of the machine does not matter.
   void followsTheDesktop() {
     QDBusConnection bus = QDBusConnection::sessionBus();
     if (!bus.isConnected()) QSKIP("no D-Bus here: dbus-daemon is not installed");

@@ -44,7 +44,7 @@ class TestTimeEstimate : public QObject {
   }
 
   void whatIsLateIsSaidToBe() {
-    // Nothing is reported any more.
+    // No progress is reported any more.
     EndEstimate silent;
     silent.begin(0);
     silent.update(2, 0.9, 1);
@@ -59,7 +59,7 @@ class TestTimeEstimate : public QObject {
       ++(frozen.at(now).kind == Kind::Late ? late : left);
     }
     QVERIFY2(left < 20 && late > 200, qPrintable(QString("%1 %2").arg(left).arg(late)));
-    // It goes on after all.
+    // Progress continues after all.
     frozen.update(61, 0.99 + 0.02, 3);
     QCOMPARE(frozen.at(61).kind, Kind::Left);
   }
@@ -82,7 +82,7 @@ class TestTimeEstimate : public QObject {
     QCOMPARE(end.at(16).kind, Kind::Unknown);
     end.update(17, 0.5, kInfinite);
     QCOMPARE(end.at(17).kind, Kind::Unknown);
-    // No end after a promise is a late one.
+    // An unknown end after a promise counts as late.
     end.update(18, 0.6, 4);
     QCOMPARE(end.at(18).kind, Kind::Left);
     end.update(19, 0.6, kInfinite);

@@ -174,7 +174,7 @@ class TestUntranslated : public QObject {
  private:
   static constexpr const char* kWalkTo = "FOOTFALL_WALK_TO";  // names a file for the texts of an English editor
 
-  /// Those of a process of its own: some texts are made once, in the language of the moment.
+  /// The English texts come from a separate process, because some texts are made once, in the language of the moment.
   static QSet<QString> englishTexts() {
     const QTemporaryDir folder;
     QProcess process;
@@ -203,7 +203,7 @@ class TestUntranslated : public QObject {
     return true;
   }
 
-  /// Opens all that can be opened and collects what it says.
+  /// Opens all windows and collects their texts.
   Texts walk() {
     const QTemporaryDir folder;
     EditorWindow window;

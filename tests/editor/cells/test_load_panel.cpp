@@ -1,4 +1,4 @@
-// The dock "Load" with reports made by hand: timeline, load, phases, and what it says when there is nothing.
+// The dock "Load" with reports made by hand: timeline, load, phases, and its texts without cells.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
@@ -147,7 +147,7 @@ class TestLoadPanel : public QObject {
     QVERIFY(plot.xAxis->range().size() < 0.8 * all.size());
     QCOMPARE(plot.yAxis->range(), lanes);
     model_->setHovered(CellId{0, 1});
-    model_->setColouring(CellColouring::Cost);  // new colours do not move what somebody looks at
+    model_->setColouring(CellColouring::Cost);  // new colours do not move the visible part
     QVERIFY(plot.xAxis->range().size() < 0.8 * all.size());
     for (int i = 0; i < 20; ++i) turn(-240);
     QVERIFY(plot.xAxis->range().lower >= plot.timeline().start - 1);

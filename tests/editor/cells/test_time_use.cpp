@@ -1,4 +1,4 @@
-// Where the time of a run's threads went: the whole timeline, what threads wait for, histograms, colours, measuring.
+// The use of the threads' time in a run: the whole timeline, waiting times, histograms, colours, measuring.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
@@ -129,7 +129,7 @@ class TestTimeUse : public QObject {
     auto* feature = window.findChild<CellsFeature*>();
     QVERIFY(feature);
     LoadPanel& panel = feature->panel();
-    // A run that takes its block from the cache says so.
+    // A run with a cached block says so.
     QTest::keyClick(&window, Qt::Key_F5);
     QVERIFY(waitUntilIdle(window));
     QTRY_VERIFY2(panel.strategyText().contains("from the cache"), qPrintable(panel.strategyText()));

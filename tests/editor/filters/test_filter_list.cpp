@@ -268,7 +268,7 @@ class TestFilterList : public QObject {
     QCOMPARE(window_->controller().finishedRun()->pipeline.steps[1].values[0], 65.0);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(slope(), 45.0);
-    QVERIFY(window_->controller().upToDate());  // known: no run
+    QVERIFY(window_->controller().upToDate());  // cached: no run
   }
 
   void theWheelScrollsWhereNoFieldHasTheFocus() {

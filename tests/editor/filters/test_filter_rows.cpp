@@ -34,7 +34,7 @@ class TestFilterRows : public QObject {
     QCOMPARE(row(4)->stateText(), QString("failed"));
     undo();
     expectShown(figures);
-    // A run that is overtaken, cancelled, and one that nobody waits for.
+    // The runs are one that is overtaken, one that is cancelled, and one that nothing waits for.
     for (const int kind : {0, 1, 2}) {
       window_->document().setValue(window_->document().filters()[1].id, 0, 30 + kind, kind);
       if (kind == 0) window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, kind + 10);
@@ -71,7 +71,7 @@ class TestFilterRows : public QObject {
     QTRY_VERIFY(row(2)->height() < open);
   }
 
-  // Not only by the dots. A press into several selected rows takes them all along.
+  // Rows can be dragged by more than the dots. A press on several selected rows drags all of them.
   void rowsAreDraggedByTheirHeader() {
     QWidget* name = row(1)->nameLabel();
     const QPoint below = name->mapFromGlobal(row(3)->mapToGlobal(QPoint(30, row(3)->height() - 2)));
@@ -117,7 +117,7 @@ class TestFilterRows : public QObject {
       QVERIFY2(!actionFor(menu, filter)->isEnabled(), filter);
   }
 
-  // Switching off the clearance leaves out what needs it; one click brings it back.
+  // Filters that need the clearance are skipped while it is off; one click enables it again.
   void rowsWithoutTheirClearanceAreSkipped() {
     window_->document().replacePipeline(
         parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nAreaFilter 0.5\n", "test"), "test");
@@ -137,7 +137,7 @@ class TestFilterRows : public QObject {
     QTRY_COMPARE(enabled(), (QList<bool>{true, true, true, true}));
     QVERIFY(waitUntilIdle(*window_));
     for (int i = 0; i < 4; ++i) QVERIFY(!row(i)->mendButton()->isVisible());
-    // Without one in the list, it is added.
+    // A clearance is added where the list has none.
     click(1);
     key(Qt::Key_Delete);
     QTRY_COMPARE(row(1)->stateText(), QString("skipped"));
@@ -147,7 +147,7 @@ class TestFilterRows : public QObject {
     QVERIFY(waitUntilIdle(*window_));
   }
 
-  // What the list itself shows to be wrong is on its row before anything runs.
+  // Errors of the list itself appear on its rows before any run.
   void errorsAreForeseen() {
     window_->controller().setAutomatic(false);
     window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);

@@ -66,7 +66,7 @@ class TestComponentsPanel : public QObject {
   void largestFirst() {
     const QTemporaryDir folder;
     QVERIFY(openZUp(*window_, writeFile(folder, "squares.obj", squaresObj(4)), kPipeline));
-    QVERIFY(feature_->watch().inspector() == nullptr);  // No result was requested.
+    QVERIFY(feature_->watch().inspector() == nullptr);  // no components are computed before the panel is shown
     open();
     QTRY_COMPARE(table()->model()->rowCount(), 4);
     QCOMPARE(text(0, ComponentsModel::Rank), QStringLiteral("1"));

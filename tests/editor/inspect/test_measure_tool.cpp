@@ -44,7 +44,7 @@ class TestMeasureTool : public QObject {
     const Measure none = measureBetween({1, 2, 3}, {1, 2, 3});
     QCOMPARE(none.degrees, 0.0);
     QCOMPARE(none.percent, 0.0);
-    // What clicks round is nothing.
+    // Height differences below the rounding of clicks count as zero.
     const Measure level = measureBetween({0, 0, 0}, {5, 0, 7.39172e-7});
     QCOMPARE(level.height, 0.0);
     QCOMPARE(level.percent, 0.0);

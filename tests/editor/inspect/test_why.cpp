@@ -117,7 +117,8 @@ class TestWhy : public QObject {
     QVERIFY2(borders().contains("a ledge at 0.2"), qPrintable(borders()));
   }
 
-  // The doorway's story: click it, read why, look at the lintel, go to the filter, change it, and see it open.
+  // The test clicks a closed doorway, reads the reason, moves to the lintel and to the filter, changes the filter, and
+  // finds the doorway open.
   void whyADoorwayIsClosed() {
     const QTemporaryDir folder;
     QVERIFY(openZUp(*window_, writeFile(folder, "rooms.obj", doorwayObj()), kPipeline));

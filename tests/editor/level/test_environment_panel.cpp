@@ -25,7 +25,7 @@ QByteArray roomObj() {
          "o table\nusemtl wood\nf 5 6 7 8\nusemtl steel\nf 6 9 10 7\n";
 }
 
-/// So many crates in rows.
+/// An OBJ of `count` crates in rows.
 QByteArray cratesObj(int count) {
   QByteArray text;
   for (int i = 0; i < count; ++i) {

@@ -190,7 +190,7 @@ class TestFileWatch : public QObject {
     QCOMPARE(area(), 2.0);
   }
 
-  // The old file is nobody's business any more.
+  // The old file is not watched any more.
   void onlyTheOpenFileIsWatched() {
     const QString other = writeFile(*folder_, "other.obj", tableObj());
     QVERIFY(openZUp(*window_, other, kPipeline));

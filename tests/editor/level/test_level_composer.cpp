@@ -68,7 +68,7 @@ void setObstacles(Document& document, std::vector<PlacedObstacle> obstacles) {
   document.edit(std::move(next), QStringLiteral("edit"));
 }
 
-/// Triangles of obstacles are where the composer says, and its geometry has the numbers of the level.
+/// Checks the composer's numbers of obstacle triangles, and that its geometry has the numbers of the level.
 void checkNumbers(const LevelComposer& composer, const std::vector<PlacedObstacle>& obstacles) {
   const Environment& level = *composer.level();
   std::size_t count = composer.base()->triangles.size();
@@ -140,7 +140,7 @@ class TestLevelComposer : public QObject {
     // Back where the results are: no edit at all.
     setObstacles(document, {box(1, {0.4, 0, 0})});
     QCOMPARE(composer.level(), moved);
-    // Results of what is not known any more change nothing.
+    // Results of unknown levels change nothing.
     composer.setComputed(start);
     setObstacles(document, {box(1, {0.6, 0, 0})});
     QCOMPARE(composer.level()->edit->base.lock(), moved);

@@ -330,7 +330,7 @@ class TestObstacleTools : public QObject {
     const auto seen = view().pick(at({-3, 0.4, 0}));
     QVERIFY(seen);
     QCOMPARE(window_->composer().obstacleOf(seen->triangle), std::optional<std::uint32_t>(obstacles[0].id));
-    // And they stay when the file is read again.
+    // The obstacles stay when the file is read again.
     window_->importPanel().bothSidesBox()->click();
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(view().environmentGeometry()->surface.size(), 3 * window_->level()->triangles.size());

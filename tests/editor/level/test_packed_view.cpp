@@ -124,7 +124,7 @@ class TestPackedView : public QObject {
              qPrintable(window_->packed().statusText()));
     QVERIFY(window_->packed().statusText().endsWith(" of 0.201 million triangles"));
     shoot(*window_, "packed-corner");
-    // No block is worth loading from far away.
+    // From far away, no block is loaded.
     for (int i = 0; i < 12; ++i) window_->view().cameraController().zoomBy(0.5);
     QVERIFY(QTest::qWaitFor([&] { return window_->packed().loadedBlocks().empty(); }, kWaitMs));
     QVERIFY(window_->view().backdrop()->loaded.empty());
@@ -169,7 +169,7 @@ class TestPackedView : public QObject {
     QVERIFY(window_->environment()->triangles.size() <= kTiny.part);
     QCOMPARE(window_->environment()->triangles.size(), packed_->facesTouching(boxOf(second)).soup.triangles.size());
     QVERIFY(window_->controller().finishedRun());
-    // Nothing of the part is in the picture around it.
+    // The picture around the part has no triangles of the part.
     const Vec3 centre = window_->view().environmentGeometry()->centre;
     for (const BackdropPiecePtr& piece : window_->view().backdrop()->loaded)
       for (std::size_t t = 0; t < piece->triangles(); ++t) {

@@ -86,7 +86,7 @@ class TestUnits : public QObject {
     QTRY_COMPARE(why->text(), expected);
     useTool("tools.measure", at);
     QCOMPARE(window_->findChild<QLabel*>("measureSum")->text(), "From " + expected);
-    // Each panel says what its places are in.
+    // Each panel shows the unit of its places.
     for (const char* name : {"pathFrame", "whyFrame", "measureFrame", "obstacleFrame", "componentsFrame"}) {
       const QString frame = window_->findChild<QLabel*>(name)->text();
       QCOMPARE(frame, units.frameText());
@@ -192,7 +192,7 @@ class TestUnits : public QObject {
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->document().filters()[1].step.values[0], 100.0);
     QCOMPARE(field()->text(), QString("2.54"));
-    // So does a change of a scale that was known; of a guess, only defaults follow.
+    // A change of a known scale converts lengths as well; after a change of a guess, only defaults follow.
     ImportOptions centimetres = window_->document().state().import;
     centimetres.metresPerUnit = 0.01;
     emit window_->importPanel().optionsEdited(centimetres);

@@ -1,4 +1,4 @@
-// The modes of the view: what each shows, when it can be chosen, and what the legend says.
+// The modes of the view: their content, when they are enabled, and their legends.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QStandardItemModel>
 #include <cmath>

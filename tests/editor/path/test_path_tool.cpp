@@ -329,7 +329,7 @@ class TestPathTool : public QObject {
       QTest::keyClicks(edit, values[i]);
     }
   }
-  /// Pictures to look at, where a folder for them is named.
+  /// Pictures are saved where a folder for them is given.
 
   std::unique_ptr<QTemporaryDir> folder_;
   std::unique_ptr<EditorWindow> window_;

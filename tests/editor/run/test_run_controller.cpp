@@ -97,7 +97,7 @@ class TestRunController : public QObject {
     connect(controller_.get(), &RunController::contentReady, this,
             [&](const ViewContent& content) { contents.push_back(content); });
     waitForPreviews();
-    // The waves slope by 19 or 47 degrees: 10 takes away all that slopes, before anything is computed.
+    // The waves slope by 19 or 47 degrees: a limit of 10 removes all of them, before anything is computed.
     document_->setValue(document_->filters()[1].id, 0, 10, 1);
     QCOMPARE(contents.size(), std::size_t{1});  // The content changes during the edit itself.
     QVERIFY(controller_->busy());
@@ -189,7 +189,7 @@ class TestRunController : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
     QCOMPARE(controller_->finishedRun()->pipeline.steps[2].values[0], 1.2);
     // A first edit that is dragged waits as well; it can be cancelled, and runs at once when the mouse lets go.
-    controller_->setEnvironment(slow_, {});  // nothing to take over, so it is slow again
+    controller_->setEnvironment(slow_, {});  // there is nothing to reuse, so it is slow again
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 60000);
     controller_->setDragging(true);
     document_->setValue(clearanceId(), 0, 1.1, 2);
@@ -204,7 +204,7 @@ class TestRunController : public QObject {
   }
 
   void quickRunsFollowADrag() {
-    // A result that is known to be quick.
+    // The result is known to be quick.
     document_->replacePipeline(parsePipeline("SlopeFilter 45\n", "test"), "");
     QTRY_VERIFY_WITH_TIMEOUT(controller_->upToDate(), 20000);
     const QSignalSpy finished(controller_.get(), &RunController::finished);
@@ -305,7 +305,7 @@ class TestRunController : public QObject {
   }
 
  private:
-  // They are made one after the other in the background, once the result has been shown; here nobody shows it.
+  // Previews are made one after the other in the background, once the result has been shown; this test has no view.
   void waitForPreviews() { QTRY_VERIFY_WITH_TIMEOUT(controller_->previews(document_->filters()[1].id), 20000); }
 
   // Runs that take longer than people like to wait.

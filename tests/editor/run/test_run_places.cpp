@@ -106,7 +106,7 @@ class TestRunPlaces : public QObject {
       places.choose(place);
       RunPlaces again;
       again.load(places.save());
-      // Other machines are used when somebody says so, and are not forgotten until then.
+      // Other machines are used only when the user chooses them, and the suggestion is kept until then.
       const bool isHere = place.kind == RunPlace::Kind::ThisProcess || place.kind == RunPlace::Kind::Processes;
       QVERIFY(again.chosen() == (isHere ? place : RunPlace()));
       QVERIFY(again.suggested() == (isHere ? std::nullopt : std::optional(place)));
@@ -182,7 +182,7 @@ class TestRunPlaces : public QObject {
     QCOMPARE(runsStarted(folder), 2);
   }
 
-  // Nothing runs on the earlier level while another one is taken, with its filters and its place.
+  // Nothing runs on the earlier level while another one is opened with its filters and its place.
   void theLevelBeforeIsNotRun() {
     const QTemporaryDir folder;
     setFailingMpirun(folder);

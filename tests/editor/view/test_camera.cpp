@@ -180,7 +180,7 @@ class TestCamera : public QObject {
     LevelView& view = window_->view();
     camera().viewOblique();
     const CameraPose start = camera().pose();
-    // Qt makes mouse events of those of a tablet that nobody takes.
+    // Qt makes mouse events from tablet events that nothing accepts.
     const QPointingDevice pen("pen", 77, QInputDevice::DeviceType::Stylus, QPointingDevice::PointerType::Pen,
                               QInputDevice::Capability::Position, 1, 1);
     const QPointF place = QRectF(view.rect()).center();

@@ -1,4 +1,4 @@
-// Drops in the editor: arrows, their switch in the legend, and what it says of them.
+// Drops in the editor: arrows, their switch in the legend, and the legend's text.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCheckBox>
 #include <algorithm>

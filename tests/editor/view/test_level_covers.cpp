@@ -1,4 +1,4 @@
-// What Look inside takes away: roofs and outer walls, and no floor that has a storey above it.
+// "Look inside" hides roofs and outer walls, and no floor that has a storey above it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 

@@ -43,7 +43,7 @@ Ended runProgram(const QStringList& arguments, const QProcessEnvironment& enviro
 
 QProcessEnvironment quietEnvironment(const QTemporaryDir& folder) {
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
-  environment.insert("XDG_RUNTIME_DIR", folder.path());  // else Qt says where it looks instead
+  environment.insert("XDG_RUNTIME_DIR", folder.path());  // Qt prints a warning without it
   return environment;
 }
 
@@ -157,7 +157,7 @@ class TestLevelView : public QObject {
     edited.changes = changedTriangles(ramp, {}, removalStyle(FilterType::Slope)->paint, centre);
     window.view().setContent(edited);
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) > 0.005);
-    // Nothing of it is left in the picture that the view keeps.
+    // The kept picture has no trace of it.
     window.view().setContent(result);
     QCOMPARE(window.view().grabFramebuffer(), finished);
     // The same content made anew is drawn anew, onto the picture of the environment that is kept.
@@ -166,7 +166,7 @@ class TestLevelView : public QObject {
     for (auto& removed : copied.removed) removed.before = std::make_shared<NavigationMeshGeometry>(*removed.before);
     window.view().setContent(copied);
     QCOMPARE(window.view().grabFramebuffer(), finished);
-    // Once it has come back it lies over what took it away.
+    // A surface that reappears lies over the change that removed it.
     edited.changes.push_back(makeMeshGeometry(ramp, centre, walkablePaint()));
     window.view().setContent(edited);
     QVERIFY(shareOf(window.view().grabFramebuffer(), brown) < 0.001);

@@ -56,7 +56,8 @@ class TestMargins : public QObject {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     seen.removeAll("");
     QCOMPARE(seen, (QStringList{"Too near a border?", "Too near a wall+Too near a ledge"}));
-    // A known result has them at once, one that was left before they were found finds them when it comes again.
+    // A cached result has them at once. A result that was left before they were computed gets them when it is shown
+    // again.
     QUndoStack* const edits = window_->document().undoStack();
     bool left = false;
     connect(&window_->controller(), &RunController::finished, this, [&] {
@@ -107,7 +108,7 @@ class TestMargins : public QObject {
     QVERIFY(hasPaint({-2.7, 0, 0}, Removal::NearWall));
     QVERIFY(hasPaint({2.7, 0, 0}, Removal::NearLedge));
     QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
-    // Another one fails when they are known.
+    // Another run fails after they are known.
     window_->document().setValue(radius, 0, 1e-31, 3);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 2, 20000);
     QVERIFY(waitUntilIdle(*window_));

@@ -184,7 +184,7 @@ class TestSceneRules : public QObject {
       for (const FilterType type : {FilterType::Slope, FilterType::VerticalClearance})
         QVERIFY(!sameHue(colourAt(place), removalStyle(type)->paint.colour));
     }
-    // No line is left of them, nor of their copies.
+    // No line of them, or of their copies, is left.
     const QColor without = colourAt({2, 0, 3});
     parts.outlines = true;
     view().setParts(parts);
@@ -217,7 +217,7 @@ class TestSceneRules : public QObject {
       missing += none;
     };
     for (const ViewMode mode : kViewModes) {
-      if (mode == ViewMode::Wireframe) continue;  // there one sees through everything
+      if (mode == ViewMode::Wireframe) continue;  // everything is visible through wireframes
       look_->modes().setMode(mode);
       QVERIFY(QTest::qWaitFor([&] { return look_->modes().upToDate(); }, 20000));
       for (unsigned switches = 0; switches < 8; ++switches) {

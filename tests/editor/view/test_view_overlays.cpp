@@ -116,7 +116,7 @@ class TestViewOverlays : public QObject {
         for (const QRect& rect : window_->overlays().covered()) QVERIFY(!rect.contains(at->toPoint()));
         outline << *at;
       }
-      // It still is large.
+      // It is still large.
       QVERIFY(std::max(outline.boundingRect().width() / view().width(),
                        outline.boundingRect().height() / view().height()) > 0.5);
     }
@@ -260,7 +260,7 @@ class TestViewOverlays : public QObject {
     frame.words->setFixedSize(150, 300);
     frame.fitInto({900, 600});
     QVERIFY(frame.folded());
-    // It does not open over the selection with fewer entries; in a larger view it does.
+    // With fewer entries it does not unfold over the selection; in a larger view it does.
     frame.words->setFixedSize(150, 60);
     frame.fitInto({900, 600});
     QVERIFY(frame.folded());

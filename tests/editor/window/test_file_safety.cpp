@@ -251,7 +251,7 @@ class TestFileSafety : public QObject {
     QTRY_VERIFY(QFile::exists(folder_->filePath("a.obj")) && window_->idle());
     QVERIFY(!window_->messageBar().isVisible());
     QVERIFY(status().startsWith("Wrote "));
-    // And what has been done is news for a while only.
+    // A note about a finished action disappears after a while.
     window_->statusLine().setNoteDuration(1);
     window_->statusLine().say(StatusSubject::Note, "news");
     QTRY_VERIFY(status() != "news" && !status().startsWith("Wrote "));
@@ -350,7 +350,7 @@ class TestFileSafety : public QObject {
     QVERIFY(window_->isVisible());
     go = true;
     QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
-    QVERIFY(window_->isVisible());  // somebody has to see it
+    QVERIFY(window_->isVisible());  // the message must be visible
     go = false;
     window_->writer().write(
         [&] {

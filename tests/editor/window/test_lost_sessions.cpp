@@ -1,4 +1,5 @@
-// What is offered after a crash, with its undo history; saving where a session came from; when the picture is there.
+// Sessions offered after a crash, with their undo history; saving to the session's file; and when the picture is
+// complete.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QMenu>
@@ -139,13 +140,13 @@ class TestLostSessions : public QObject {
     QVERIFY(!QApplication::activeModalWidget());
     QTRY_VERIFY_WITH_TIMEOUT(!window_->hasUnsavedChanges(), kWaitMs);
     QCOMPARE(readSession(path.toStdString()).pipeline.steps[0].values[0], 33.0);
-    // To another file, with a dialog.
+    // Saves to another file, with a dialog.
     window_->commands().find("file.saveAs")->trigger();
     QTRY_VERIFY(QApplication::activeModalWidget());
     QApplication::activeModalWidget()->close();
   }
 
-  // Counts and picture belong together, or the status line says that they do not yet.
+  // Counts and picture belong together; otherwise the status line says that they do not yet.
   void theStatusSaysThatThePictureIsOlder() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->drawing(), kWaitMs);

@@ -1,7 +1,7 @@
-// Thousands of random events in the real window: no crash, memory that stays within bounds, and the result is still
-// right. The longest stretch in which the event loop could not answer is reported, with its cause; only a freeze fails,
-// as drawing in software on a busy machine says little about a user's. FOOTFALL_MONKEY_EVENTS and FOOTFALL_MONKEY_SEED
-// choose other amounts and other events.
+// Thousands of random events in the real window: no crash, bounded memory, and a correct result at the end. The longest
+// stretch without events is reported with its cause; only a freeze fails, because software drawing on a busy machine
+// says little about a user's machine. FOOTFALL_MONKEY_EVENTS and FOOTFALL_MONKEY_SEED choose other numbers and other
+// events.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/resource.h>
 #include <unistd.h>
@@ -161,7 +161,7 @@ class Monkey {
     last_ = QStringLiteral("%1 '%2'").arg(QString::fromLatin1(chosen->metaObject()->className()), chosen->objectName());
     switch (below(4)) {
       case 0:
-        // A menu that opens would wait for somebody to choose.
+        // A menu that opens would wait for a choice.
         if (!qobject_cast<QToolButton*>(chosen) && !qobject_cast<QPushButton*>(chosen))
           QTest::mouseClick(chosen, Qt::LeftButton, {}, placeIn(*chosen));
         break;

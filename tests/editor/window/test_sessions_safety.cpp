@@ -1,4 +1,4 @@
-// Nothing is lost: kills, two windows at once, unsaved changes, full and read-only disks.
+// No work is lost by kills, two windows at once, unsaved changes, or full and read-only disks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <unistd.h>
 

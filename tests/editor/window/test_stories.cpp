@@ -154,7 +154,7 @@ void TestStories::aDoorwayIsClosed() {
   open(QStringLiteral("rooms"));
   picture(QStringLiteral("guide-opened"));
 
-  // No way through: the path ends at the doorway.
+  // There is no way through: the path ends at the doorway.
   auto* paths = window_->findChild<PathFeature*>();
   QVERIFY(paths != nullptr);
   command("view.top")->trigger();
@@ -214,7 +214,7 @@ void TestStories::aDoorwayIsClosed() {
 void TestStories::aCrateIsMoved() {
   open(QStringLiteral("rooms"));
   setParameter("VerticalClearanceFilter", "1.8");
-  // Parts of the walkable area that nobody can leave.
+  // Counts the parts of the walkable area that nobody can leave.
   const auto regions = [&] {
     const auto run = window_->controller().finishedRun();
     return findComponents(*run->result.mesh).list.size();

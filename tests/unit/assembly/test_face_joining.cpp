@@ -12,7 +12,7 @@ using namespace footfall::reference;
 
 namespace {
 
-/// Empty when all triangles share whole edges, and hang together where the reference says so.
+/// Empty when all triangles share whole edges, and are connected as in the reference.
 std::string findJoiningError(const Soup& soup) {
   const StatePtr state = runFilters(soup.environment(), minimalPipeline(1));
   const auto pieces = toPieces(exactWalkableTriangles(*state));
@@ -23,7 +23,7 @@ std::string findJoiningError(const Soup& soup) {
   return found == expected ? std::string() : std::to_string(found) + " parts instead of " + std::to_string(expected);
 }
 
-/// A floor of 16 x 16 with so many low boxes on it, in rows and columns: nobody walks inside.
+/// A floor of 16 x 16 with rows and columns of low boxes on it; their insides are not walkable.
 Soup floorWithBoxes(int rows) {
   const double step = 16.0 / rows;
   Soup soup;

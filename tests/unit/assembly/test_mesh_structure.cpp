@@ -68,7 +68,7 @@ Pairs overlapsOnePair(const WalkableState& state) {
   const auto count = static_cast<Index>(state.mesh->triangles.size());
   for (Index t = 0; t < count; ++t)
     for (Index s = 0; s < t; ++s) {
-      // Not geometry.overlap(): by its definition, with one orientation after the other.
+      // Uses the definition with one orientation after the other instead of geometry.overlap().
       const auto separates = [&](Index m, Index n) {
         const auto &own = state.mesh->triangles[m].corners, &others = state.mesh->triangles[n].corners;
         for (int k = 0; k < 3; ++k)

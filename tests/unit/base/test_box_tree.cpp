@@ -107,8 +107,8 @@ class TestBoxTree : public QObject {
     }
   }
 
-  // So many that all threads sort: along an axis, places are those of the coordinates; in one place, boxes keep their
-  // order.
+  // There are enough boxes that all threads sort. Along an axis, places follow the coordinates; boxes at one place keep
+  // their order.
   void placesDoNotDependOnBlocks() {
     constexpr Index kCount = 30000;
     std::vector<Index> ids(kCount);
@@ -129,8 +129,8 @@ class TestBoxTree : public QObject {
     QVERIFY(build([](Index) { return Tree::Bounds{{1, 2}, {3, 4}}; }) == ids);
   }
 
-  // Doubles cannot tell on which side of its long edge the sliver's third corner lies, so a cut on it has no place that
-  // they could bound. Overlaps elsewhere are still found.
+  // Doubles cannot decide on which side of its long edge the sliver's third corner lies, so a cut on it has no bounded
+  // place. Overlaps elsewhere are still found.
   void sliverSpoilsNoLayers() {
     const auto level =
         Soup()

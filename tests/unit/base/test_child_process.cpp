@@ -1,4 +1,4 @@
-// Other programs: what they write, how they end, and that nobody of theirs goes on.
+// Other programs: their output, their end, and that none of their children survives.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QTemporaryDir>
@@ -54,7 +54,7 @@ class TestChildProcess : public QObject {
     const ChildResult much = runShell("head -c 1000000 /dev/zero; head -c 1000000 /dev/zero >&2");
     QCOMPARE(much.output.size(), std::size_t{1000000});
     QCOMPARE(much.errors.size(), std::size_t{64 * 1024});
-    // It goes on when it has closed its output.
+    // The program continues after closing its output.
     QCOMPARE(runShell("exec >&- 2>&-; sleep 0.2; exit 3").status, 3);
   }
 

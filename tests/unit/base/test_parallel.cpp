@@ -29,7 +29,7 @@ struct Other {};  // no std::exception: whatever is thrown arrives
 
 /// Work on `values` that has a visible result; false when some of it is missing although it returned.
 using NestedWork = std::function<bool(std::vector<int>& values)>;
-/// The beginning of the message of an exception says its kind.
+/// The beginning of an exception's message names its kind.
 using Thrower = std::function<void()>;
 
 bool areAll(const std::vector<int>& values, int value) {
@@ -105,7 +105,7 @@ std::string kindOf(const std::function<void()>& work) {
 
 struct Sibling {
   int incomplete = 0;  ///< results with missing parts that nested work returned
-  int ended = 0;       ///< nested work that ended early, as it said
+  int ended = 0;       ///< nested work that has reported an early end
   std::string thrown;  ///< the kind of the exception that reached whoever started the group
 };
 

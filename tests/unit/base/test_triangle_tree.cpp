@@ -83,7 +83,7 @@ bool overlaps(const Box& a, const Box& b) {
   return true;
 }
 
-/// Not in the order of the boxes, and with gaps.
+/// The ids are not in the order of the boxes, and have gaps.
 std::vector<std::int32_t> someIds(std::size_t count) {
   std::vector<std::int32_t> ids(count);
   for (std::size_t i = 0; i < count; ++i) ids[i] = static_cast<std::int32_t>(3 * (count - i));
@@ -230,7 +230,7 @@ class TestTriangleTree : public QObject {
     }
   }
 
-  // No part of the work between two polls is longer than some passes over the boxes.
+  // No work between two polls takes longer than some passes over the boxes.
   void buildingCanBeCancelled() {
     Random random(5);
     const std::vector<Box> boxes = randomBoxes(random, Kind::Level, 200000);

@@ -1,4 +1,4 @@
-// Soups that are compared as meshes, and what comparing says of equal ones.
+// Soups that are compared as meshes, and the expected comparison of equal ones.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -65,7 +65,7 @@ class TestDistanceBands : public QObject {
     }
   }
 
-  // The side that is not asked for does not count: A is a part of B.
+  // The other side does not count: A is a part of B.
   void distancesAreOneSided() {
     NavigationMesh half = square(0);
     half.vertices[1].x = half.vertices[2].x = 4;

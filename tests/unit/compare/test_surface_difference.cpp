@@ -107,7 +107,7 @@ class TestSurfaceDifference : public QObject {
       QVERIFY(difference.triangles[0].empty() && difference.triangles[1].empty());
     }
     QVERIFY(subtractSurfaces({}, {}, context).empty());
-    // Nothing against something: all of it.
+    // The difference to an empty mesh is everything.
     const SurfaceDifference all = subtractSurfaces({}, one, context);
     QVERIFY(!all.hasArea[0] && all.hasArea[1]);
     QCOMPARE(all.areas[1].surface, 4.0);

@@ -199,7 +199,7 @@ class TestRunPlace : public QObject {
     programs.footfallMpi = script(folder, "footfall-mpi", "");
     programs.sbatch = script(folder, "sbatch", "touch '" + folder.filePath("begun").toUtf8() + "'; sleep 60\n");
     programs.scancel = script(folder, "scancel", "echo \"$@\" >>'" + folder.filePath("cancelled").toUtf8() + "'\n");
-    // It comes into the queue after the first look.
+    // The job enters the queue after the first query.
     programs.squeue =
         script(folder, "squeue",
                "echo >>'" + folder.filePath("looks").toUtf8() + "'\n[ \"$3\" = footfall-5 ] || exit 1\n" +

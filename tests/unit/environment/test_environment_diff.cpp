@@ -76,7 +76,7 @@ const std::array<std::string, 5> kPipelines{
     "GridStrategy 2 3\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nSimplificationFilter\n",
     "SlopeFilter 60\nAreaFilter 1\nVerticalClearanceFilter 1.5\nLayerSubdivisionFilter\n"};
 
-/// Runs the edit with what is known, and the version itself from nothing.
+/// Runs the edit with its cache, and the version itself from scratch.
 bool sameBytes(const std::shared_ptr<const Environment>& edited, const std::shared_ptr<const Environment>& version,
                const std::string& pipeline, ResultCache& cache) {
   const RunResult live = run(edited, pipeline, &cache), fresh = run(version, pipeline, nullptr);
@@ -167,7 +167,7 @@ class TestEnvironmentDiff : public QObject {
     }));
   }
 
-  // So much comes and goes that what stands above a floor is looked up again.
+  // So much changes that obstacles above a floor are looked up again.
   void manyTriangles() {
     const auto level = importEnvironment(std::string(FOOTFALL_SOURCE_DIR) + "/samples/house/house.obj");
     const auto grown = [&](int crates, double shift) {

@@ -99,7 +99,7 @@ class TestBorderPredicates : public QObject {
     const auto number = [&](std::size_t count) { return integer(random, 0, static_cast<int>(count) - 1); };
     plain.start(face);
     divided.start(face);
-    // These triangles are on the side of the borders only, in between: the others must not change.
+    // These triangles lie between the borders, on one side only; the others must not change.
     const auto triangles = static_cast<int>(mesh.triangles.size());
     for (int i = 0; i < 20; ++i) {
       const Index o = integer(random, 0, triangles - 1);

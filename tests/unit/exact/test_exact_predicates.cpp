@@ -65,7 +65,7 @@ class TestExactPredicates : public QObject {
   }
 
   void widestGridIsReached() {
-    // the suite means what it says: integers on the stack are met up to their limit
+    // the test reaches its purpose: integers on the stack are used up to their limit
     Random random(test::seed());
     int widest = 0;
     for (int i = 0; i < 20; ++i) widest = std::max(widest, randomMesh(random, Numbers::WidestFixed, 7)->grid.width());

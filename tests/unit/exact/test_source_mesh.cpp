@@ -107,7 +107,7 @@ class TestSourceMesh : public QObject {
           QVERIFY((mesh.scaled[v] == Vec3{std::ldexp(p.x, scale), std::ldexp(p.y, scale), std::ldexp(p.z, scale)}));
           const auto same = [&](const Vec3& q) { return q.x == p.x && q.y == p.y; };
           QCOMPARE(mesh.planIds[v], std::find_if(expected.begin(), expected.end(), same) - expected.begin());
-          if (v > 200) break;  // That search is slow.
+          if (v > 200) break;  // the reference search is slow
         }
 
         std::vector<std::pair<std::array<Index, 3>, std::uint32_t>> turned;

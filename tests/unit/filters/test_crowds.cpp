@@ -131,7 +131,7 @@ class TestCrowds : public QObject {
       QCOMPARE(floorLeft(mesh), expected);
       // Every border lies on whole numbers, so areas are exact.
       QCOMPARE(floorArea(mesh), static_cast<double>(std::accumulate(expected.begin(), expected.end(), 0)));
-      // Nothing is walkable twice at one height, and slabs above the floor keep the area that no other slab has.
+      // No place is walkable twice at one height, and slabs above the floor keep the area that no other slab has.
       if (level) QCOMPARE(planArea(mesh), static_cast<double>(kExtent * kExtent));
 
       // The same bytes on one thread, in cells, and in another order.

@@ -60,7 +60,7 @@ std::vector<Index> standing(const StatePtr& state, std::size_t face) {
 int compare(const StatePtr& edited, const StatePtr& fresh) {
   for (std::size_t t = 0; t < fresh->walkable.size(); ++t) {
     if (!isSame((*edited->cuts)[t], (*fresh->cuts)[t])) return -1;
-    // Nobody keeps all that stands above what is covered.
+    // Obstacles above covered floors are not kept completely.
     if (!fresh->cuts->isRemoved(t) && standing(edited, t) != standing(fresh, t)) return -1;
   }
   if (edited->memory->large.size() != fresh->memory->large.size()) return -1;
@@ -139,7 +139,7 @@ class TestCutsNearChanges : public QObject {
     }
   }
 
-  // Many walls have just as many areas among them as decides whether depths are known.
+  // Whether depths are known depends on the number of areas; many walls have exactly that number.
   void depthsAreKnownOfEnoughAreas() {
     Obstacles random(3);
     Soup soup;

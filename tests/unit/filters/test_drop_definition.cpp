@@ -35,9 +35,9 @@ double lengthOf(const BorderEdge3& border) {
   return std::hypot(Rational(border.to.x - border.from.x).get_d(), Rational(border.to.y - border.from.y).get_d());
 }
 
-/// Every border and triangle of a state's mesh drops exactly where the definition says so, at several places of it,
-/// and what lands across a gap as far as the definition holds with something to spare. Returns how many drops were
-/// looked at, and one more; 0 when something is wrong.
+/// Checks at several places of every border and triangle of a state's mesh that agents drop exactly where the
+/// definition says so, and that landings across a gap hold by the definition with a margin. Returns the number of
+/// checked drops plus one; 0 for an error.
 std::size_t checkAgainstDefinition(const Environment& environment, const std::string& filters, double clearance,
                                    double step, double depth, double reach) {
   auto shared = std::make_shared<Environment>(environment);

@@ -93,7 +93,7 @@ class TestDropFilter : public QObject {
     // A beam over the landing, lower than the head of who starts.
     QVERIFY(dropped(ledge(1, 0.25).ceiling(0.2, -1, 1, 5, 2.5), drops(2)).drops.empty());
     QCOMPARE(dropped(ledge(1, 0.25).ceiling(0.2, -1, 1, 5, 3), drops(2)).drops.size(), std::size_t{1});
-    // A parapet, over which one steps and on which nobody stands, higher above the landing than one is.
+    // A parapet that agents step over but do not stand on, and that is higher above the landing than an agent.
     const auto parapet = [](double top) {
       return Soup()
           .floor(-2, 0, 0, 4, 3)

@@ -98,7 +98,7 @@ class TestFaceCuts : public QObject {
     QVERIFY(navigationMesh(state).triangles.empty());
   }
 
-  // The same but for one square, at each place: the winding number of the rest is known from wherever the floor starts.
+  // Leaves one square open at each place: the winding number of the rest is known from any start.
   void oneSquareLeftOpen() {
     for (int open = 0; open < 16; ++open) {
       Soup soup;

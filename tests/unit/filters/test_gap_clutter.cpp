@@ -110,8 +110,8 @@ class TestGapClutter : public QObject {
              result.steps.back().note.str().c_str());
   }
 
-  // In these soups the way that is kept beside shorter ones cannot be proven. Without another search, they would be two
-  // regions.
+  // In these soups, the way that is kept beside shorter ones cannot be proven. Without another search, they would be
+  // two regions.
   void waysAreTriedAgainWhereOthersCannotBeProven() {
     const std::string pipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.1 0.15\n";
     for (const auto& [number, count] : {std::pair(176U, 12), {4736U, 30}}) {

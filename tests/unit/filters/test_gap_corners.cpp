@@ -66,7 +66,7 @@ Soup pointed(double degrees, double apart) {
   return Soup().floor(-4, -4, 4, 0, 0).triangle({0, apart, 0}, {x, apart + y, 0}, {-x, apart + y, 0});
 }
 
-/// Not its very ends, where nothing but a point may be in the way.
+/// The very ends are excluded, where only a point may be in the way.
 Point3 nearestOn(const BorderEdge3& border, const Point3& p, const Rational& end = 0) {
   const Rational dx = border.to.x - border.from.x, dy = border.to.y - border.from.y;
   const Rational t = ((p.x - border.from.x) * dx + (p.y - border.from.y) * dy) / (dx * dx + dy * dy);

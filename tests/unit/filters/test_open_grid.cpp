@@ -1,5 +1,5 @@
-// The grid of what is open above a face: what it says is closed or out of reach must be so, and it must say it of
-// nearly all that is.
+// The grid of open space above a face: squares that it reports as closed or out of reach must be so, and it must report
+// nearly all that are.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <cmath>
@@ -124,7 +124,7 @@ class TestOpenGrid : public QObject {
     QVERIFY(!grid.mayReach(strip(0.25 + 0x1p-10)));
     for (int i = 0; i < 100; ++i) grid.open(strip(0.125));
     QVERIFY(grid.mayReach(strip(0.25)));
-    QVERIFY(grid.mayReach(strip(0.25 + 0x1p-10)));  // too many to look at each
+    QVERIFY(grid.mayReach(strip(0.25 + 0x1p-10)));  // too many to check each
   }
 };
 

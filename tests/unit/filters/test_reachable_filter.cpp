@@ -126,7 +126,7 @@ class TestReachableFilter : public QObject {
 
   void itStandsAnywhere() {
     QFETCH(QString, filters);
-    // A house whose roof and table nobody reaches; they stay obstacles.
+    // A house whose roof and table cannot be reached; they stay obstacles.
     const Soup soup = Soup().floor(0, 0, 4, 4, 0).floor(0, 4, 4, 6, 0).floor(0, 0, 4, 4, 4).floor(1, 1, 2, 2, 1);
     const bool hasClearance = filters.contains("Clearance");
     filters += '\n';

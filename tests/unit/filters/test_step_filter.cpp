@@ -50,9 +50,9 @@ Soup stairs(int count, double rise) {
   return soup;
 }
 
-/// Every pair of borders that share a stretch of the plan is linked exactly where the definition says so, at several
-/// places of it. With a later, larger clearance, that is the one that counts. Returns how many pairs were looked at,
-/// and one.
+/// Checks at several places of every pair of borders with a common stretch in the plan that they are linked exactly
+/// where the definition says so. A later, larger clearance replaces the first one. Returns the number of checked pairs
+/// plus one.
 std::size_t checkAgainstDefinition(const Environment& environment, double height, double step, double later = 0) {
   auto shared = std::make_shared<Environment>(environment);
   const std::string more = QString("VerticalClearanceFilter %1\n").arg(later, 0, 'g', 17).toStdString();
@@ -356,8 +356,8 @@ class TestStepFilter : public QObject {
     }
   }
 
-  // Walls that overlap in one line end at thousands of places and stand hundreds deep. Each stretch is known not to be
-  // free from the first that blocks it; where one steps over all of them, each end is a vertex of both floors.
+  // Overlapping walls in one line end at thousands of places and stand hundreds deep. Each stretch is known to be
+  // blocked by the first wall that blocks it; where agents step over all of them, each end is a vertex of both floors.
   void wallsInOneLine_data() {
     QTest::addColumn<double>("least");
     QTest::addColumn<double>("most");

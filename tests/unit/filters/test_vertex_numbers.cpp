@@ -1,5 +1,5 @@
-// Simplification and layers do not depend on the numbers of vertices: a part of a mesh becomes what it becomes in the
-// whole, and what an AreaFilter takes away leaves no trace.
+// Simplification and layers do not depend on the numbers of vertices: a part of a mesh has the same result alone and in
+// the whole, and an AreaFilter leaves no trace of removed parts.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 

@@ -1,4 +1,4 @@
-// Why a place is walkable or not, as the inspector says it and as the definitions do.
+// The reasons why a place is walkable or not, from the inspector and from the definitions.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -179,7 +179,7 @@ inline std::optional<bool> isCovered(const Environment& environment, const Navig
   return false;
 }
 
-/// Compares one place; false says what is wrong.
+/// Compares one place; returns false after a message.
 inline bool agrees(const PlaceExplanation& told, const Expected& expected) {
   if (told.verdict != expected.verdict || told.step != expected.step) return false;
   if (told.above.has_value() != expected.above.has_value()) return false;

@@ -1,4 +1,4 @@
-// Components of the walkable area: known levels, and against joining triangles edge by edge.
+// Components of the walkable area: known levels, and a comparison with joining triangles edge by edge.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>

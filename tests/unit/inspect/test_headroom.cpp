@@ -152,7 +152,7 @@ class TestHeadroom : public QObject {
     }
     QVERIFY(middles.size() > 100);
     for (const float height : headroomAt(tree, middles, kInfinity)) QVERIFY(height >= clearance * (1 - 1e-5));
-    // And corner by corner as one by one, on any number of threads.
+    // The heights of all corners at once equal those one by one, on any number of threads.
     const auto corners = cornerHeadroom(tree, *result.mesh, 2 * clearance);
     runWithThreads(1, [&] { QVERIFY(cornerHeadroom(tree, *result.mesh, 2 * clearance) == corners); });
     QCOMPARE(corners.size(), 3 * result.mesh->triangles.size());

@@ -1,4 +1,4 @@
-// Why a place is walkable or not: known rooms.
+// The reasons why a place is walkable or not: known rooms.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>

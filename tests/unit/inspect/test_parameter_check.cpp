@@ -53,7 +53,7 @@ QStringList allNotesOf(const Environment& level, const std::string& pipeline) {
   return lines;
 }
 
-/// Without the note on the level's size, because most levels here are smaller than levels are.
+/// The note on the level's size is left out, because most test levels are smaller than real ones.
 QString notesOf(const Environment& level, const std::string& pipeline) {
   QStringList lines = allNotesOf(level, pipeline);
   lines.removeIf([](const QString& line) { return line.contains("the whole level is no larger than"); });
@@ -217,7 +217,7 @@ class TestParameterCheck : public QObject {
   void scalesThatCannotBe() {
     const auto level = Soup().floor(0, 0, 1280, 544, 0).wall(0, 0, 1280, 0, 0, 300).environment();
     level->scaleGuessed = false;
-    QCOMPARE(notesOf(*level, "SlopeFilter 45\n"), QString());  // somebody has said so
+    QCOMPARE(notesOf(*level, "SlopeFilter 45\n"), QString());  // the user has confirmed it
     level->scaleGuessed = true;
     QCOMPARE(notesOf(*level, "SlopeFilter 45\n"),
              QString("scale: the scale is a guess that makes the level 1280 m long; give the metres of a unit, perhaps "

@@ -1,4 +1,4 @@
-// Which unit the shapes of a level speak for.
+// The unit that the shapes of a level suggest.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>

@@ -1,5 +1,5 @@
-// The process that reads the formats of others: whatever it does, the program that started it goes on and says what
-// was. SPDX-License-Identifier: GPL-3.0-or-later
+// The process that reads foreign formats: whatever it does, the program that started it goes on and reports the
+// failure.
 #include <sys/stat.h>
 
 #include <QtTest>

@@ -116,7 +116,7 @@ class TestGltfExport : public QObject {
     const ExportExtra crate{"my crate\n2", {{{5, 5, 0}, {6, 5, 0}, {6, 6, 0}}, {{0, 1, 2}}}};
     const std::string text = formatObj(framed(sample(), frame(UpAxis::Z)), {}, {}, std::array{crate});
     QVERIFY2(text.ends_with("g placed_my_crate_2\nv 5 5 0\nv 6 5 0\nv 6 6 0\nf 10 11 12\n"), text.c_str());
-    // Not walkable to whoever reads the export again.
+    // A reader of the export does not take it for walkable area.
     const auto read = readNavigationMesh(folder.write("a.obj", QByteArray::fromStdString(text)));
     QVERIFY(read.mesh.vertices == sample().vertices);
     QCOMPARE(read.mesh.triangles.size(), 5U);

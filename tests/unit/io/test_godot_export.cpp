@@ -1,4 +1,4 @@
-// Navigation meshes for Godot: what the text says, who can reach whom by Godot's rule, and what Godot 3 makes of it.
+// Navigation meshes for Godot: the text, the connections by Godot's rule, and the form for Godot 3.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QProcess>
 #include <QRegularExpression>

@@ -1,5 +1,5 @@
-// Buildings through the converter: with a stand-in for Node.js that says what a test needs, and with the real one where
-// it is installed.
+// Buildings through the converter: with a stand-in for Node.js that has the output of a test, and with the real one
+// where it is installed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
 #include <QtTest>

@@ -58,7 +58,7 @@ class TestImportFormats : public QObject {
  private slots:
   void gltfNodesAreAppliedAndMirroringReversesWinding() {
     const auto environment = importEnvironment(dataFile("transforms.gltf"));
-    QVERIFY(environment->up == UpAxis::Y && !environment->upGuessed);  // glTF says so
+    QVERIFY(environment->up == UpAxis::Y && !environment->upGuessed);  // by the standard of glTF
     QCOMPARE(environment->metresPerUnit, 1.0);
     QVERIFY(!environment->scaleGuessed);  // glTF is in metres
     // parent moves by 10; first child scales by (2, 3, 4) and turns 90 degrees about Y; the second mirrors X and lifts

@@ -1,4 +1,4 @@
-// Which files import puts on a grid, which it leaves as they are, and that packing and folders give the same.
+// The files that import puts on a grid, and those that it does not change; packing and folders give the same.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
@@ -185,7 +185,7 @@ class TestImportGrid : public QObject {
     QCOMPARE(level.triangles.size(), std::size_t{5});
     QVERIFY(std::ranges::count(level.triangles[0], 3U) == 1 && std::ranges::count(level.triangles[4], 3U) == 1);
     QCOMPARE(level.partOf.back(), 0U);
-    // From the other side, and in another order, the edge gets the same vertex.
+    // The edge gets the same vertex from the other side, and in another order.
     std::ranges::reverse(other.triangles);
     std::ranges::rotate(other.triangles.back(), other.triangles.back().begin() + 1);
     putOnGrid(other, 0x1p-20, {});

@@ -25,7 +25,7 @@ using footfall::test::Soup;
 
 namespace {
 
-/// Unit squares of a grid, of those that `has` says, with shared vertices.
+/// The unit squares of a grid that `rows` marks, with shared vertices.
 NavigationMesh gridMesh(const std::vector<std::string>& rows) {
   NavigationMesh mesh;
   const std::size_t width = rows[0].size() + 1;

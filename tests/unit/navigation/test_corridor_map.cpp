@@ -1,4 +1,4 @@
-// The corridor map: what it must be everywhere, and bottlenecks that are known.
+// The corridor map: properties that hold everywhere, and known bottlenecks.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QJsonDocument>
 #include <QtTest>
@@ -44,7 +44,7 @@ double areaOf(const CorridorMap& map) {
                          [](double sum, const CorridorEdge& edge) { return sum + edge.area; });
 }
 
-/// What is wrong with a map, or nothing.
+/// The error of a map; empty when there is none.
 QString errorOf(const NavigationMesh& mesh, const CorridorMap& map) {
   const ClearanceField field(mesh);
   const double tolerance = 1e-9 * (1 + sizeOf(mesh));
@@ -97,7 +97,7 @@ class TestCorridorMap : public QObject {
   }
 
   void findsADoorWithoutThickness() {
-    // Between two corners: the wall is a rectangle, and the door an opening of 0.9.
+    // The wall is a rectangle, and the door an opening of 0.9 between two corners.
     const Soup soup = Soup().floor(0, 0, 10, 4, 0).wall(5, 0, 5, 1.5, -0.5, 2).wall(5, 2.4, 5, 4, -0.5, 2);
     const CorridorMap map = makeCorridorMap(meshOf(soup));
     QCOMPARE(map.bottlenecks.size(), std::size_t{1});

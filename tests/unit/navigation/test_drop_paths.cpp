@@ -178,7 +178,7 @@ class TestDropPaths : public QObject {
       QCOMPARE(path.end->position, (Vec3{8, 4, 0}));
       QCOMPARE(path.planLength, 4.0);
     }
-    // Not from below: nothing leads up.
+    // There is no path from below.
     const PathResult below = finder.find({1, 1, 0}, {4, 4, 1});
     QCOMPARE(below.status, PathStatus::NotConnected);
     QVERIFY(below.leadsBack && below.drops.empty());

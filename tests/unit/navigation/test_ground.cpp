@@ -39,7 +39,7 @@ bool isInside(const NavigationMesh& mesh, const SurfacePlace& place) {
   return true;
 }
 
-/// What is wrong with a ray between two places; empty when nothing is.
+/// The error of a ray between two places; empty when there is none.
 QString rayError(const PathFinder& finder, const Vec3& from, const Vec3& to, int& reached) {
   const auto ray = castRay(finder, from, to);
   if (!ray) return finder.locate(from) ? "no ray from a walkable place" : "";

@@ -173,7 +173,7 @@ class TestStrategies : public QObject {
     }));
   }
 
-  // Not every z lies on a node's height, and not every box is a point.
+  // Some z lie between the heights of nodes, and some boxes have an extent.
   void boxesVisitWhatTheyOverlap() {
     const Case given(randomLevel(3000));
     std::mt19937_64 random(8);

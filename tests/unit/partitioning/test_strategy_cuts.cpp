@@ -206,7 +206,7 @@ class TestStrategyCuts : public QObject {
     QCOMPARE(heights(house), 7);
   }
 
-  // The thesis's parameter is read, has no effect on the cells, and the reason says so.
+  // The thesis's parameter is read, has no effect on the cells, and the report says why.
   void roundingOfCutsIsReported() {
     const Case given(Soup().floor(0, 0, 8, 8, 0));
     for (const auto& [strategy, values] : {std::pair{FilterType::GridStrategy, std::vector<double>{2, 2}},

@@ -118,7 +118,7 @@ class Trial {
     uninterrupted(untouched);
     const double wholeMs = watch.wallMs();
     Outcome outcome;
-    // On a busy machine the thread that cancels may come too late each time.
+    // On a busy machine the thread that cancels may be late each time.
     for (int i = 0; i < moments || (outcome.cancelled == 0 && i < 5 * moments); ++i) {
       const auto work = prepare();
       RunContext context;

@@ -67,8 +67,8 @@ class TestLiveEdits : public QObject {
     }));
   }
 
-  // The same with many obstacles above one another over floors: floors count as covered without a look at all obstacles
-  // above them, and open again when something goes.
+  // Many obstacles lie above one another over floors. Floors count as covered without testing all obstacles above them,
+  // and become open when an obstacle is removed.
   void obstaclesInCrowds() {
     for (const std::string pipeline : {"SlopeFilter 45\nVerticalClearanceFilter 2\n",
                                        "VerticalClearanceFilter 1\nVerticalClearanceFilter 2\nRoundingFilter\n",
@@ -151,7 +151,8 @@ class TestLiveEdits : public QObject {
       QVERIFY(agrees(level, std::string("AreaFilter ") + smallest + "\nVerticalClearanceFilter 1\n", cache));
   }
 
-  // No triangle of a floor changes, but one of its vertices has to stay: what came touches the floor there.
+  // No triangle of a floor changes, but one of its vertices has to stay, because the new triangle touches the floor
+  // there.
   void floorTouchedAtOnePoint() {
     const std::string pipeline = "VerticalClearanceFilter 1\nSimplificationFilter\nLayerSubdivisionFilter\n";
     EditableEnvironment editable(Soup()
@@ -168,8 +169,8 @@ class TestLiveEdits : public QObject {
     QVERIFY(agrees(editable.environment(), pipeline, cache));
   }
 
-  // No triangle of a floor changes, and all still are one region, but two of them are not joined any more: a ramp meets
-  // their edge, which would be flipped else.
+  // No triangle of a floor changes, and all of them are still one region, but two of them are no longer joined: a ramp
+  // meets their edge, which would be flipped otherwise.
   void rampAtAnEdgeOfARing() {
     const Vec3 a{0, 0, 0}, b{8, 0, 0}, c{4, 2, 0}, d{2, 2, 0}, e{8, 8, 0}, f{4, 4, 0}, g{0, 8, 0}, h{2, 4, 0};
     const std::string pipeline = "SlopeFilter 60\nSimplificationFilter\n";

@@ -78,7 +78,7 @@ class FailingMemory {
   FailingMemory(const FailingMemory&) = delete;
   FailingMemory& operator=(const FailingMemory&) = delete;
 
-  /// The allocations that were asked for.
+  /// The number of allocations since `from`.
   [[nodiscard]] long asked(long from) const { return from - left; }
 };
 

@@ -140,7 +140,7 @@ class TestFloorPlan : public QObject {
     const Sheet sheet = level.draw().front();
     QVERIFY(says(sheet, "door"));
     QVERIFY(!says(Level(soup, kNoTops).draw().front(), "door"));
-    base.reset();  // nobody holds the file any more
+    base.reset();  // no reference to the file is left
     QVERIFY(findDoors(*level.environment).empty());
   }
 
@@ -170,7 +170,7 @@ class TestFloorPlan : public QObject {
     const PlanLayout layout = layOutPlan({{0, 0}, {width, width / 2}}, metresPerUnit, options);
     QCOMPARE(layout.scale, scale);
     QCOMPARE(std::max(layout.width, layout.height), paper);
-    // The box lies inside, and a metre is as long as the scale says.
+    // The box lies inside, and a metre has the length of the scale.
     const SheetPoint lower = layout.at(0, 0), upper = layout.at(width, width / 2);
     QVERIFY(lower.x >= layout.window.lower.x - 1e-9 && upper.x <= layout.window.upper.x + 1e-9);
     QVERIFY(lower.y >= layout.window.lower.y - 1e-9 && upper.y <= layout.window.upper.y + 1e-9);
@@ -206,7 +206,7 @@ class TestFloorPlan : public QObject {
     double area = 0;
     for (const auto& solid : walls.solids) area += areaOf(solid.lines[0]);
     QVERIFY(std::abs(area - (1 + 2 * 10.4 * 0.2 + 2 * 6 * 0.2)) < 1e-9);
-    // Nothing stands near a part of the floor that is farther away than the margin.
+    // No wall stands near a part of the floor that is farther away than the margin.
     QVERIFY(cutWalls(*level.environment, *level.mesh, {}, {}).solids.empty());
   }
 

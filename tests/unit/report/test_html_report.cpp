@@ -105,7 +105,7 @@ class TestHtmlReport : public QObject {
             std::string::npos);
     QVERIFY(html.find("\"/> Walkable &amp; dry</li>") != std::string::npos);
     QVERIFY(html.find(" on 2026-11-22 &lt;10:15&gt;. Lengths") != std::string::npos);
-    // Nothing but the input decides the bytes: the date is a part of it.
+    // The bytes depend on the input only, which includes the date.
     const std::string undated =
         formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {"", pictures, legend});
     QVERIFY(undated.find(" on 20") == std::string::npos && undated.size() < html.size());

@@ -1,4 +1,4 @@
-// Counts of `footfall info`, on soups with known answers.
+// The counts of `footfall info`, on soups with known answers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 

@@ -1,5 +1,5 @@
-// Small environments with answers known by hand (slope 45, clearance 2 unless said otherwise). Each goes through the
-// reference as well, exactly.
+// Small environments with answers known by hand (slope 45, clearance 2 by default). Each is also compared exactly with
+// the reference.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
@@ -26,7 +26,8 @@ struct Expected {
   double slope = 45;
 };
 
-/// Exact plan area in the product, parts and obstacle edges in the rounded mesh, and all of it as the reference says.
+/// Checks the exact plan area in the product, parts and obstacle edges in the rounded mesh, and all of it against the
+/// reference.
 void expect(const Soup& soup, const Expected& expected) {
   const auto environment = soup.environment();
   const std::string error =

@@ -121,7 +121,7 @@ double usualTolerance(const Environment& environment) {
   return 4e-6 * largest;
 }
 
-/// The last line of the oracle is what it found; the exit code says whether it agrees.
+/// The last line of the oracle has its findings; its exit code says whether it agrees.
 struct Verdict {
   bool agrees = false;
   QByteArray output;
@@ -240,9 +240,9 @@ class TestOracle : public QObject {
     for (const char* what : {"wrongly walkable", "wrongly blocked", "false cuts", "layer overlaps", "degenerate"})
       QVERIFY2(verdict.count(what) == 0, verdict.output.constData());
 
-    // Its tolerance is 4e-6 of the extent. In a town of 2 km that is 8 mm, and it overlooks walls that reach less than
-    // that above a floor. With a finer one it looks at shorter edges, too, and takes the two sides of a needle of floor
-    // for edges that meet. So only what it finds with either tolerance counts.
+    // The tolerance is 4e-6 of the extent. In a town of 2 km that is 8 mm, and the oracle overlooks walls that reach
+    // less than that above a floor. With a finer tolerance it also uses shorter edges, and takes the two sides of a
+    // needle of floor for edges that meet. So only findings with both tolerances count.
     if (verdict.count("unjoined edges") > 0) {
       Question finer = question;
       // Far away it also takes 1e-4 for too fine: it finds more than the five places that it lists.
@@ -253,9 +253,9 @@ class TestOracle : public QObject {
       for (const QByteArray& place : verdict.unjoinedPlaces()) QVERIFY2(!places.contains(place), place.constData());
       qInfo("none of these edges is unjoined with a finer tolerance");
     }
-    // It takes every walk over an obstacle for a leak, even over one that is low enough to walk on and joined to the
-    // floor on both sides (docs/explanation/model.md, Conforming results). Without the joins at contacts it must find
-    // none.
+    // The oracle takes every walk over an obstacle for a leak, even over one that is low enough to walk on and joined
+    // to the floor on both sides (docs/explanation/model.md, Conforming results). Without the joins at contacts it must
+    // find none.
     if (verdict.count("leaks") > 0) {
       const QString apart = folder.filePath("without_contacts.obj");
       save(withoutContacts(*result.mesh, *original), apart.toStdString());

@@ -1,4 +1,4 @@
-// The checked-in samples are what their generator makes, and what their README says.
+// The samples in the repository are the generator's output, and agree with their README.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>

@@ -1,5 +1,5 @@
-// A level that somebody turned, scaled or moved has the same walkable area, connected in the same way, when its
-// coordinates are put on a grid again.
+// A level that was turned, scaled or moved has the same walkable area, connected in the same way, when its coordinates
+// are put on a grid again.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <cmath>
@@ -23,7 +23,7 @@ struct Change {
   double degrees = 0, scale = 1, offset = 0;  ///< about the vertical; metres per unit become fewer; units in x and y
 };
 
-/// What a modeller does with a node, in doubles, and then what import does with coordinates that were placed.
+/// Applies a modeller's transform of a node, in doubles, and then the treatment of placed coordinates by import.
 std::shared_ptr<const Environment> changed(const Environment& level, const Change& change) {
   auto result = std::make_shared<Environment>(level);
   const double radians = change.degrees * std::numbers::pi / 180, c = std::cos(radians), s = std::sin(radians);
