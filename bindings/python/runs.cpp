@@ -198,6 +198,9 @@ layers: shape (m,), integers from 0, or None. Raises InputError.)",
 where no layer filter ran. A view.)")
       .def_property_readonly(
           "layer_count", [](const Mesh& m) { return m.data->layerCount; }, "How many layers.")
+      .def(
+          "least_layers", [](const Mesh& m) { return leastLayers(*m.data); },
+          "A proven lower bound of `layer_count`: the most triangles that were found over one place.")
       .def_property_readonly(
           "source_triangles",
           [](const Mesh& m) -> py::object {

@@ -12,6 +12,7 @@
 #include "core/environment/skipped_polygons.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "core/mesh/storey_names.hpp"
+#include "core/report/layers_text.hpp"
 #include "core/report/text_table.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
@@ -321,6 +322,7 @@ void addMesh(Json& json, const NavigationMesh& mesh, const Components& component
   json["triangles"] = mesh.triangles.size();
   json["area"] = area;
   json["layers"] = mesh.layerCount;
+  json["layers_at_least"] = leastLayers(mesh);
   json["layer_list"] = layersJson(mesh);
   json["connections"] = mesh.connections.size();
   const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
@@ -341,8 +343,7 @@ void addMesh(Json& json, const NavigationMesh& mesh, const Components& component
 
 std::string meshLines(const NavigationMesh& mesh) {
   const Components components = findComponents(mesh);
-  return counted(mesh.layerCount, "layer", "layers") + ", " +
-         counted(mesh.connections.size(), "connection", "connections") + ", " +
+  return layersText(mesh) + ", " + counted(mesh.connections.size(), "connection", "connections") + ", " +
          counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
          dropLine(mesh, components) + componentLines(components);
 }

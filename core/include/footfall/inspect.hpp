@@ -48,6 +48,11 @@ struct Components {
 /// threads. Throws Cancelled when `context` (may be null) is cancelled.
 Components findComponents(const NavigationMesh& mesh, const RunContext* context = nullptr);
 
+/// A proven lower bound of the number of layers: the most triangles that were found over one place of the plan, each of
+/// which needs a layer of its own. A few thousand places are tried, so a larger bound may exist; the result does not
+/// depend on the number of threads. 0 without layers. O(n log n) for n triangles; on all threads.
+std::uint32_t leastLayers(const NavigationMesh& mesh);
+
 // --- Places ----------------------------------------------------------------------------------------------------------
 
 /// A place that was picked.

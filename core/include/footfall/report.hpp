@@ -53,11 +53,11 @@ struct ProgramTimes {
 /// JSON text with `environment`, `steps` (a list; each with `name`, `parameters` (an object by parameter name),
 /// `start_ms`, `wall_ms`, `cpu_ms`, `triangles_in`, `triangles_out`, `area_in`, `area_out`, `note`), `load_ms`,
 /// `start_ms`, `finish_ms`, `export_ms`, `total_ms`, `run_ms`, `cpu_ms` (of the run), `threads`, `peak_rss_bytes`,
-/// `triangles`, `area`, `layers`, `connections`, `links` (steps, as pairs of edges), `link_length` (in the plan),
-/// `highest_link` (null without any), `obstacle_edges`, `components` (connected over edges and steps, largest first: a
-/// list; each with `area`, `share` of all area, `triangles`, `layers` (their numbers)), `connected_share`
-/// (Components::connectedShare()), `exact_fallbacks` (all steps together) and `exact_fallbacks_by_kind`. Areas are in
-/// the square of the environment's unit.
+/// `triangles`, `area`, `layers`, `layers_at_least`, `connections`, `links` (steps, as pairs of edges), `link_length`
+/// (in the plan), `highest_link` (null without any), `obstacle_edges`, `components` (connected over edges and steps,
+/// largest first: a list; each with `area`, `share` of all area, `triangles`, `layers` (their numbers)),
+/// `connected_share` (Components::connectedShare()), `exact_fallbacks` (all steps together) and
+/// `exact_fallbacks_by_kind`. Areas are in the square of the environment's unit.
 ///
 /// About parallel blocks: `times` (thesis 5.4: `preprocessing_ms`, `partitioning_ms`, `parallel_ms`, `merging_ms`,
 /// `postprocessing_ms`, `overhead_ms`, `total_ms`), `speed_up` (S; an object with `one_thread_ms`, `parallel_ms`,
