@@ -4,7 +4,7 @@
 <context>
     <name>Core</name>
     <message>
-        <source>node &apos;%1&apos; refers to a mesh that is not there</source>
+        <source>node &apos;%1&apos; refers to a mesh that does not exist</source>
         <translation>Knoten „%1“ verweist auf ein Netz, das es nicht gibt</translation>
     </message>
     <message>
@@ -292,7 +292,7 @@
         <translation>die Datei endet vor den Elementen, die ihr Kopf ankündigt</translation>
     </message>
     <message>
-        <source>a list in the PLY file has fewer than no entries</source>
+        <source>a list in the PLY file has a negative length</source>
         <translation>eine Liste in der PLY-Datei hat eine negative Länge</translation>
     </message>
     <message>
@@ -416,8 +416,8 @@
         <translation>%1 steht in %2; setzen Sie ein Collapse davor</translation>
     </message>
     <message>
-        <source>%1 sees across cells and cannot run inside %2; move it behind Collapse or before the block</source>
-        <translation>%1 sieht über Zellen hinweg und kann nicht laufen in %2; setzen Sie es hinter Collapse oder vor den Block</translation>
+        <source>%1 needs all cells and cannot run inside %2; move it behind Collapse or before the block</source>
+        <translation>%1 braucht alle Zellen und kann nicht laufen in %2; setzen Sie es hinter Collapse oder vor den Block</translation>
     </message>
     <message>
         <source>%1 begins a parallel block that never ends; add a Collapse behind it</source>
@@ -716,7 +716,7 @@
         <translation>ändern Sie die Rechte des Ordners, oder wählen Sie einen anderen</translation>
     </message>
     <message>
-        <source>cannot be written: its disk can only be read</source>
+        <source>cannot be written: its disk is read-only</source>
         <translation>kann nicht geschrieben werden: Ihr Datenträger kann nur gelesen werden</translation>
     </message>
     <message>
@@ -724,7 +724,7 @@
         <translation>wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
-        <source>cannot be written: your share of the disk is used up</source>
+        <source>cannot be written: your disk quota is used up</source>
         <translation>kann nicht geschrieben werden: Ihr Anteil am Datenträger ist aufgebraucht</translation>
     </message>
     <message>
@@ -740,8 +740,8 @@
         <translation>kürzen Sie ihn</translation>
     </message>
     <message>
-        <source>cannot be written: symbolic links lead round in a circle</source>
-        <translation>kann nicht geschrieben werden: Symbolische Verknüpfungen führen im Kreis</translation>
+        <source>cannot be written: its symbolic links form a circle</source>
+        <translation>kann nicht geschrieben werden: Ihre symbolischen Verknüpfungen bilden einen Kreis</translation>
     </message>
     <message>
         <source>remove the link or choose another name</source>
@@ -860,8 +860,8 @@
         <translation>%1 Verbindungen</translation>
     </message>
     <message>
-        <source>an obstacle edge, on which nothing stands that could be seen</source>
-        <translation>eine Hinderniskante, auf der nichts Sichtbares steht</translation>
+        <source>an obstacle edge without a visible wall</source>
+        <translation>eine Hinderniskante ohne sichtbare Wand</translation>
     </message>
     <message>
         <source>a gap of %1</source>
@@ -884,8 +884,8 @@
         <translation>eine Lücke von %1 und eine Stufe von %2 hinab</translation>
     </message>
     <message>
-        <source>something %1 high to climb over</source>
-        <translation>etwas %1 Hohes, über das man steigen muss</translation>
+        <source>an obstacle of %1 to climb over</source>
+        <translation>ein Hindernis von %1, über das man steigen muss</translation>
     </message>
     <message>
         <source>a place with only %1 of free height</source>
@@ -900,8 +900,8 @@
         <translation>eine Hinderniskante: eine Wand ohne Dicke</translation>
     </message>
     <message>
-        <source>the parts only touch in a point, through which nobody fits</source>
-        <translation>die Teile berühren sich nur in einem Punkt, durch den niemand passt</translation>
+        <source>the parts only touch in a point, which is too narrow for an agent</source>
+        <translation>die Teile berühren sich nur in einem Punkt, der für einen Agenten zu eng ist</translation>
     </message>
     <message>
         <source>One cell, because an environment of %1 is done before cells would pay: threads share its floors.</source>
@@ -992,7 +992,7 @@
         <translation>die Zeile ist leer, aber dort muss ein Element der PLY-Datei stehen</translation>
     </message>
     <message>
-        <source>the PLY file says that it is ASCII, but there are bytes in the line that are no text</source>
+        <source>the PLY file is declared as ASCII, but the line has bytes that are not text</source>
         <translation>die PLY-Datei nennt sich ASCII, aber in der Zeile stehen Bytes, die kein Text sind</translation>
     </message>
     <message>
@@ -1000,8 +1000,8 @@
         <translation>vor dem Wort „ply“, mit dem eine PLY-Datei beginnen muss, steht etwas</translation>
     </message>
     <message>
-        <source>nothing behind the unknown PLY elements &apos;%1&apos; can be read</source>
-        <translation>hinter den unbekannten PLY-Elementen „%1“ kann nichts gelesen werden</translation>
+        <source>the data behind the unknown PLY elements &apos;%1&apos; cannot be read</source>
+        <translation>die Daten hinter den unbekannten PLY-Elementen „%1“ können nicht gelesen werden</translation>
     </message>
     <message>
         <source>move them behind all others or export the file without them</source>
@@ -1036,12 +1036,12 @@
         <translation>eine Zahl (%1)</translation>
     </message>
     <message>
-        <source>a radius so small is lost beside the largest coordinates; give at least %1, or check the scale and the largest coordinates</source>
-        <translation>ein so kleiner Radius geht neben den größten Koordinaten unter; geben Sie mindestens %1 an, oder prüfen Sie Maßstab und größte Koordinaten</translation>
+        <source>the radius is too small for the largest coordinates; give at least %1, or check the scale and the largest coordinates</source>
+        <translation>der Radius ist zu klein für die größten Koordinaten; geben Sie mindestens %1 an, oder prüfen Sie Maßstab und größte Koordinaten</translation>
     </message>
     <message>
-        <source>nothing is left: no place is so far from all borders</source>
-        <translation>nichts ist übrig: keine Stelle ist so weit von allen Rändern weg</translation>
+        <source>nothing is left: no place is far enough from all borders</source>
+        <translation>nichts ist übrig: keine Stelle ist weit genug von allen Rändern weg</translation>
     </message>
     <message>
         <source>seed %1 at %2 %3 %4</source>
@@ -1288,8 +1288,8 @@
         <translation>Detour: Kachelsatz, Meter, Y nach oben</translation>
     </message>
     <message>
-        <source>who can reach whom: convex polygons, heights, steps, drops, the agent; layers as areas</source>
-        <translation>wer wen erreicht: konvexe Polygone, Höhen, Stufen, Sprünge nach unten, der Agent; Ebenen als Areas</translation>
+        <source>convex polygons with their connections, heights, steps, drops, the agent; layers as areas</source>
+        <translation>konvexe Polygone mit ihren Verbindungen, Höhen, Stufen, Sprünge nach unten, der Agent; Ebenen als Areas</translation>
     </message>
     <message>
         <source>Godot: NavigationMesh, metres, Y up</source>
@@ -1320,8 +1320,8 @@
         <translation>es gibt kein Format für Godot %1; wählen Sie 3 oder 4</translation>
     </message>
     <message>
-        <source>%1: is there already and is no navigation mesh; choose another name</source>
-        <translation>%1: ist schon da und kein Navigationsnetz; wählen Sie einen anderen Namen</translation>
+        <source>%1: already exists and is not a navigation mesh; choose another name</source>
+        <translation>%1: gibt es schon und ist kein Navigationsnetz; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
         <source>a file that ends in %1 cannot hold placed obstacles; leave them out, or export as .obj or .glb</source>
@@ -1356,12 +1356,12 @@
         <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; ifc.sh installiert ihn (docs/how-to/buildings.md)</translation>
     </message>
     <message>
-        <source>%1; IFC files that are in order may need the converter that ifc.sh installs (docs/how-to/buildings.md)</source>
-        <translation>%1; IFC-Dateien, die in Ordnung sind, brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/how-to/buildings.md)</translation>
+        <source>%1; valid IFC files may need the converter that ifc.sh installs (docs/how-to/buildings.md)</source>
+        <translation>%1; gültige IFC-Dateien brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/how-to/buildings.md)</translation>
     </message>
     <message>
-        <source>nothing of it is a floor or an obstacle</source>
-        <translation>nichts davon ist Boden oder Hindernis</translation>
+        <source>it has no floors and no obstacles</source>
+        <translation>sie hat weder Böden noch Hindernisse</translation>
     </message>
     <message>
         <source>choose a file that has walls, slabs or stairs</source>
@@ -1412,8 +1412,8 @@
         <translation>Rang %1: %2</translation>
     </message>
     <message>
-        <source>this rank works on something else than rank 0: another file of the environment, another pipeline or another version of the program; give all ranks the same</source>
-        <translation>Dieser Rang arbeitet an etwas anderem als Rang 0: an einer anderen Datei der Umgebung, einer anderen Pipeline oder mit einer anderen Version des Programms; geben Sie allen Rängen dasselbe</translation>
+        <source>this rank has other inputs than rank 0: another file of the environment, another pipeline or another version of the program; give all ranks the same</source>
+        <translation>Dieser Rang hat andere Eingaben als Rang 0: eine andere Datei der Umgebung, eine andere Pipeline oder eine andere Version des Programms; geben Sie allen Rängen dasselbe</translation>
     </message>
     <message>
         <source>%1. The run goes on; if it is killed, this part is lost</source>
@@ -1512,7 +1512,7 @@
         <translation>%1: nicht geschrieben, weil abgebrochen wurde; exportieren Sie noch einmal</translation>
     </message>
     <message>
-        <source>%1: is there already; export with the dialog, which asks whether to replace it</source>
+        <source>%1: already exists; export with the dialog, which asks whether to replace it</source>
         <translation>%1: Diese Datei gibt es schon; exportieren Sie über den Dialog, der fragt, ob sie ersetzt werden soll</translation>
     </message>
     <message>
@@ -1640,8 +1640,8 @@
         <translation>%1: ist keine gewöhnliche Datei; wählen Sie eine Datei</translation>
     </message>
     <message>
-        <source>%1: what was written beside it cannot be read (%2); check the disk</source>
-        <translation>%1: was daneben geschrieben wurde, kann nicht gelesen werden (%2); prüfen Sie den Datenträger</translation>
+        <source>%1: the temporary file beside it cannot be read (%2); check the disk</source>
+        <translation>%1: die temporäre Datei daneben kann nicht gelesen werden (%2); prüfen Sie den Datenträger</translation>
     </message>
     <message>
         <source>%1 was left out: %2, of which it was packed, is in the folder, too</source>
@@ -1728,12 +1728,12 @@
         <translation>--stats %1: Die Datei liegt im Ordner der Kacheln; einen anderen Ort wählen</translation>
     </message>
     <message>
-        <source>%1: more than %2 triangles stand over one place; footfall run --memory takes them</source>
-        <translation>%1: Über einer Stelle stehen mehr als %2 Dreiecke; footfall run --memory nimmt sie</translation>
+        <source>%1: more than %2 triangles lie above one place; use footfall run --memory</source>
+        <translation>%1: Über einer Stelle liegen mehr als %2 Dreiecke; verwenden Sie footfall run --memory</translation>
     </message>
     <message>
-        <source>%1: nothing stands at that place; look at another one</source>
-        <translation>%1: An dieser Stelle steht nichts; sehen Sie auf eine andere</translation>
+        <source>%1: there are no triangles at that place; choose another one</source>
+        <translation>%1: An dieser Stelle sind keine Dreiecke; wählen Sie eine andere</translation>
     </message>
     <message>
         <source>%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the environment in memory</source>
@@ -1764,8 +1764,8 @@
         <translation>%1 sieht über die Grenzen von Teilen hinaus; lassen Sie ihn weg, oder rechnen Sie alle Teile auf einmal</translation>
     </message>
     <message>
-        <source>%1: cannot be renamed: %2; look who else writes into the folder, and run it again</source>
-        <translation>%1: lässt sich nicht umbenennen: %2; sehen Sie nach, wer sonst in den Ordner schreibt, und rechnen Sie noch einmal</translation>
+        <source>%1: cannot be renamed: %2; check which other program writes into the folder, and run again</source>
+        <translation>%1: lässt sich nicht umbenennen: %2; prüfen Sie, welches andere Programm in den Ordner schreibt, und rechnen Sie noch einmal</translation>
     </message>
     <message>
         <source>%1: has a run that did not end, of another environment, other filters or another bound; remove the folder, or give a new name</source>
@@ -1824,8 +1824,8 @@
         <translation>der Leser für %1 endete mit dem Status %2</translation>
     </message>
     <message>
-        <source>export it again, or as OBJ; where it is in order, lift the limits (--no-import-limits)</source>
-        <translation>neu exportieren oder als OBJ; wenn sie in Ordnung ist, die Grenzen aufheben (--no-import-limits)</translation>
+        <source>export it again, or as OBJ; if the file is valid, switch the limits off (--no-import-limits)</source>
+        <translation>neu exportieren oder als OBJ; wenn die Datei gültig ist, die Grenzen ausschalten (--no-import-limits)</translation>
     </message>
     <message>
         <source>reading it as %1 took more than %2 seconds, far more than files of its size need</source>
@@ -1836,7 +1836,7 @@
         <translation>sie als %1 zu lesen brauchte mehr als %2 MB Speicher, weit mehr als Dateien ihrer Größe brauchen</translation>
     </message>
     <message>
-        <source>the reader for %1 has ended before its time</source>
+        <source>the reader for %1 ended too early</source>
         <translation>der Leser für %1 ist vorzeitig zu Ende gegangen</translation>
     </message>
     <message>
@@ -1848,7 +1848,7 @@
         <translation>wurde vom Leser geschlossen, bevor alles geschrieben war</translation>
     </message>
     <message>
-        <source>look why it ended, and run this again</source>
+        <source>check why it ended, and run this again</source>
         <translation>nachsehen, warum er endete, und dies wiederholen</translation>
     </message>
     <message>
@@ -1864,7 +1864,7 @@
         <translation>ein Netz hat den unbekannten Modus %1</translation>
     </message>
     <message>
-        <source>a part of a mesh is no object</source>
+        <source>a primitive of a mesh is not an object</source>
         <translation>ein Teil eines Netzes ist kein Objekt</translation>
     </message>
     <message>
@@ -1872,32 +1872,32 @@
         <translation>Die Datei braucht die glTF-Erweiterung %1, die nicht gelesen wird: etwas kann fehlen</translation>
     </message>
     <message>
-        <source>instances of a mesh are not in order</source>
-        <translation>Instanzen eines Netzes sind nicht in Ordnung</translation>
+        <source>the instances of a mesh are invalid</source>
+        <translation>die Instanzen eines Netzes sind ungültig</translation>
     </message>
     <message>
-        <source>positions are none of three numbers</source>
-        <translation>Positionen sind keine von drei Zahlen</translation>
+        <source>positions do not have three numbers each</source>
+        <translation>Positionen haben nicht je drei Zahlen</translation>
     </message>
     <message>
-        <source>the weights of a skin are not in order</source>
-        <translation>die Gewichte einer Haut sind nicht in Ordnung</translation>
+        <source>the weights of a skin are invalid</source>
+        <translation>die Gewichte einer Haut sind ungültig</translation>
     </message>
     <message>
-        <source>a morph target is not in order</source>
-        <translation>ein Morph-Ziel ist nicht in Ordnung</translation>
+        <source>a morph target is invalid</source>
+        <translation>ein Morph-Ziel ist ungültig</translation>
     </message>
     <message>
-        <source>a skin is not in order</source>
-        <translation>eine Haut ist nicht in Ordnung</translation>
+        <source>a skin is invalid</source>
+        <translation>eine Haut ist ungültig</translation>
     </message>
     <message>
-        <source>a skin names a node that is not there</source>
+        <source>a skin refers to a node that does not exist</source>
         <translation>eine Haut nennt einen Knoten, den es nicht gibt</translation>
     </message>
     <message>
-        <source>what %1 has packed is not in order</source>
-        <translation>was %1 gepackt hat, ist nicht in Ordnung</translation>
+        <source>the data packed by %1 is invalid</source>
+        <translation>die mit %1 gepackten Daten sind ungültig</translation>
     </message>
     <message>
         <source>it is packed by %1, which this build of Footfall does not read</source>
@@ -1924,7 +1924,7 @@
         <translation>sie ist binäres glTF einer anderen Version als 2</translation>
     </message>
     <message>
-        <source>it is no JSON, or was cut off</source>
+        <source>it is not JSON, or is truncated</source>
         <translation>sie ist kein JSON oder wurde abgeschnitten</translation>
     </message>
     <message>
@@ -1936,7 +1936,7 @@
         <translation>Puffer %1 ist auf unbekannte Weise gepackt</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no object</source>
+        <source>&apos;%1&apos; is not an object</source>
         <translation>„%1“ ist kein Objekt</translation>
     </message>
     <message>
@@ -1944,19 +1944,19 @@
         <translation>ein spärlicher Accessor liegt außerhalb</translation>
     </message>
     <message>
-        <source>a list of corners is none of single numbers</source>
-        <translation>eine Liste von Ecken ist keine von einzelnen Zahlen</translation>
+        <source>a list of corners does not have single numbers</source>
+        <translation>eine Liste von Ecken hat keine einzelnen Zahlen</translation>
     </message>
     <message>
         <source>a list of corners has numbers that are no indices</source>
         <translation>eine Liste von Ecken hat Zahlen, die keine Indizes sind</translation>
     </message>
     <message>
-        <source>a node&apos;s transform is not in order</source>
-        <translation>die Transformation eines Knotens ist nicht in Ordnung</translation>
+        <source>the transform of a node is invalid</source>
+        <translation>die Transformation eines Knotens ist ungültig</translation>
     </message>
     <message>
-        <source>a node names a child that is not there</source>
+        <source>a node refers to a child that does not exist</source>
         <translation>ein Knoten nennt ein Kind, das es nicht gibt</translation>
     </message>
     <message>
@@ -1964,11 +1964,11 @@
         <translation>Knoten %1 ist das Kind von mehr als einem Knoten</translation>
     </message>
     <message>
-        <source>the scene names a node that is not there</source>
+        <source>the scene refers to a node that does not exist</source>
         <translation>die Szene nennt einen Knoten, den es nicht gibt</translation>
     </message>
     <message>
-        <source>node %1 comes twice in the scene</source>
+        <source>node %1 appears twice in the scene</source>
         <translation>Knoten %1 kommt in der Szene zweimal vor</translation>
     </message>
     <message>
@@ -1984,11 +1984,11 @@
         <translation>„%1“ ist keine Zahl, die dort stehen kann</translation>
     </message>
     <message>
-        <source>&apos;%1&apos; is no list</source>
+        <source>&apos;%1&apos; is not a list</source>
         <translation>„%1“ ist keine Liste</translation>
     </message>
     <message>
-        <source>a node is no object</source>
+        <source>a node is not an object</source>
         <translation>ein Knoten ist kein Objekt</translation>
     </message>
     <message>
@@ -2195,8 +2195,8 @@
         <translation>Rundung</translation>
     </message>
     <message>
-        <source>Gives every vertex double coordinates and repairs what rounding can break: corners that fall together, triangles that lose their area or turn over. Tells how many of each case it met.</source>
-        <translation>Gibt jeder Ecke Koordinaten doppelter Genauigkeit und repariert, was Runden zerstören kann: Ecken, die zusammenfallen, Dreiecke, die ihre Fläche verlieren oder umklappen. Sagt, wie viele Fälle jeder Art es gab.</translation>
+        <source>Gives every vertex double coordinates and repairs what rounding can break: corners that fall together, triangles that lose their area or turn over. Reports the number of each case.</source>
+        <translation>Gibt jeder Ecke Koordinaten doppelter Genauigkeit und repariert, was Runden zerstören kann: Ecken, die zusammenfallen, Dreiecke, die ihre Fläche verlieren oder umklappen. Meldet die Zahl jedes Falls.</translation>
     </message>
     <message>
         <source>Every vertex has double coordinates and no walkable triangle is degenerate or turned over.</source>
@@ -2263,8 +2263,8 @@
         <translation>Größte Tiefe</translation>
     </message>
     <message>
-        <source>How many times the whole environment may be cut, one cut inside the other.</source>
-        <translation>Wie oft die ganze Umgebung geschnitten werden darf, ein Schnitt im anderen.</translation>
+        <source>The largest number of cuts inside each other.</source>
+        <translation>Die größte Zahl von Schnitten ineinander.</translation>
     </message>
     <message>
         <source>Round the cuts</source>
@@ -2335,8 +2335,8 @@
         <translation>Stufe</translation>
     </message>
     <message>
-        <source>How high an agent climbs at once. A step of exactly this height is climbed; where coordinates lie on a grid, so is one that is higher by a step of the grid.</source>
-        <translation>Wie hoch ein Agent auf einmal steigt. Eine Stufe von genau dieser Höhe wird erstiegen; wo Koordinaten auf einem Raster liegen, auch eine, die um einen Schritt des Rasters höher ist.</translation>
+        <source>The highest step that an agent climbs, this height included. Where coordinates lie on a grid, a step that is higher by one step of the grid is climbed as well.</source>
+        <translation>Die höchste Stufe, die ein Agent steigt, diese Höhe eingeschlossen. Wo Koordinaten auf einem Raster liegen, wird auch eine Stufe gestiegen, die um einen Schritt des Rasters höher ist.</translation>
     </message>
     <message>
         <source>thesis 3.2, filter 2</source>
@@ -2439,28 +2439,28 @@
         <translation>Lücke</translation>
     </message>
     <message>
-        <source>How wide a gap an agent steps over, seen from above. 0: borders must coincide.</source>
-        <translation>Wie breit eine Lücke sein darf, über die ein Agent tritt, von oben gesehen. 0: Ränder müssen zusammenfallen.</translation>
+        <source>The widest gap that an agent steps over, seen from above. 0: borders must coincide.</source>
+        <translation>Die breiteste Lücke, über die ein Agent tritt, von oben gesehen. 0: Ränder müssen zusammenfallen.</translation>
     </message>
     <message>
         <source>No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that is farther than that by more than the tolerance is removed. Straight borders move by the distance, rounded outwards; round corners are polygons.</source>
         <translation>Kein begehbarer Ort ist näher an einer Wand als der Radius oder an einer Kante als deren eigener Abstand, und keiner, der um mehr als die Toleranz weiter weg ist, fällt weg. Gerade Ränder rücken um den Abstand, nach außen gerundet; runde Ecken sind Vielecke.</translation>
     </message>
     <message>
-        <source>How far an agent&apos;s middle stays away from walls: borders where something reaches higher than a step and not above its head. 0: walls keep nothing away.</source>
-        <translation>Wie weit die Mitte eines Agenten von Wänden wegbleibt: Rändern, an denen etwas höher als eine Stufe reicht und nicht über seinem Kopf liegt. 0: Wände halten nichts fern.</translation>
+        <source>The distance that an agent&apos;s middle keeps from walls: borders with an obstacle that is higher than a step and not above its head. 0: no distance from walls.</source>
+        <translation>Der Abstand, den die Mitte eines Agenten von Wänden hält: Rändern mit einem Hindernis, das höher als eine Stufe ist und nicht über seinem Kopf liegt. 0: kein Abstand von Wänden.</translation>
     </message>
     <message>
         <source>From ledges</source>
         <translation>Von Kanten</translation>
     </message>
     <message>
-        <source>How far it stays away from all other borders: drops and ends of the world. Another distance than the radius needs a VerticalClearanceFilter before it. 0: ledges keep nothing away.</source>
-        <translation>Wie weit sie von allen anderen Rändern wegbleibt: Abgründen und Enden der Welt. Ein anderer Abstand als der Radius braucht einen VerticalClearanceFilter davor. 0: Kanten halten nichts fern.</translation>
+        <source>The distance that it keeps from all other borders: drops and the ends of the level. A distance other than the radius needs a VerticalClearanceFilter before it. 0: no distance from ledges.</source>
+        <translation>Der Abstand, den sie von allen anderen Rändern hält: Abgründen und den Enden des Levels. Ein anderer Abstand als der Radius braucht einen VerticalClearanceFilter davor. 0: kein Abstand von Kanten.</translation>
     </message>
     <message>
-        <source>By what part of the distances more than that may be removed at round corners. Smaller ones give rounder corners, and more triangles.</source>
-        <translation>Um welchen Teil der Abstände mehr als diese an runden Ecken wegfallen darf. Kleinere geben rundere Ecken und mehr Dreiecke.</translation>
+        <source>The share of the distances by which more may be removed at round corners. Smaller values give rounder corners and more triangles.</source>
+        <translation>Der Anteil der Abstände, um den an runden Ecken mehr wegfallen darf. Kleinere Werte geben rundere Ecken und mehr Dreiecke.</translation>
     </message>
     <message>
         <source>Drops</source>
@@ -2483,16 +2483,16 @@
         <translation>Tiefe</translation>
     </message>
     <message>
-        <source>How deep an agent drops. A drop of exactly this depth is taken.</source>
-        <translation>Wie tief ein Agent springt. Genau diese Tiefe ist erlaubt.</translation>
+        <source>The deepest drop that an agent takes, this depth included.</source>
+        <translation>Der tiefste Sprung, den ein Agent macht, diese Tiefe eingeschlossen.</translation>
     </message>
     <message>
         <source>Reach</source>
         <translation>Reichweite</translation>
     </message>
     <message>
-        <source>How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give at least twice its radius.</source>
-        <translation>Wie weit außen, von oben gesehen, ein Agent höchstens landet. Hinter einem RadiusFilter mindestens das Doppelte seines Radius.</translation>
+        <source>The largest distance outwards, seen from above, at which an agent lands. After a RadiusFilter, give at least twice its radius.</source>
+        <translation>Der größte Abstand nach außen, von oben gesehen, in dem ein Agent landet. Nach einem RadiusFilter geben Sie mindestens das Doppelte seines Radius an.</translation>
     </message>
     <message>
         <source>Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down over drops; roofs, islands and the insides of solids go. Put it behind a StepFilter and a DropFilter, where there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before any VerticalClearanceFilter, however much lower. On an edge or a corner it means all that meets there. What is removed stays an obstacle.</source>
@@ -2511,8 +2511,8 @@
         <translation>Jede Strecke, auf der zwei Ränder im Grundriss zusammenfallen, wird genau dort verbunden, wo sich ihre Höhen höchstens um die Stufe unterscheiden und nichts höher als die Stufe über dem unteren und innerhalb der lichten Höhe über dem oberen liegt. Ränder, die einander über eine Lücke gegenüberliegen, werden verbunden, wo das für alle geraden Wege im Grundriss darüber bewiesen ist; eine Strecke von höchstens der doppelten Lücke nur, wo beide Flächen nicht ohnehin genau dort zusammenhängen. Folgende Filter behalten Verbindungen, wo sie beide Ränder übrig lassen; ein weiterer StepFilter fügt welche hinzu.</translation>
     </message>
     <message>
-        <source>Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; steps are no border.</source>
-        <translation>Entfernt, was für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche ist: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden der Welt. Abstände sind die des kürzesten Weges, von oben gesehen; Stufen sind kein Rand.</translation>
+        <source>Removes the places that are too near the border of the walkable area for an agent with a body: walls, edges that it could fall from, and the ends of the level. Distances are those of the shortest walk, seen from above; steps are no border.</source>
+        <translation>Entfernt die Stellen, die für einen Agenten mit einem Körper zu nah am Rand der begehbaren Fläche sind: an Wänden, an Kanten, von denen er fallen könnte, und an den Enden des Levels. Abstände sind die des kürzesten Weges, von oben gesehen; Stufen sind kein Rand.</translation>
     </message>
 </context>
 <context>
@@ -2748,8 +2748,8 @@
         <translation>Agenten bleiben %1 von Wänden weg.</translation>
     </message>
     <message>
-        <source>Agents stay %1 away from ledges: drops and ends of the world.</source>
-        <translation>Agenten bleiben %1 von Kanten weg: Abgründen und Enden der Welt.</translation>
+        <source>Agents stay %1 away from ledges: drops and the ends of the level.</source>
+        <translation>Agenten bleiben %1 von Kanten weg: Abgründen und den Enden des Levels.</translation>
     </message>
     <message>
         <source>a wall at %1</source>
@@ -2803,8 +2803,8 @@
         <translation>Zu Agent %1 wechseln</translation>
     </message>
     <message>
-        <source>Let go of the agent</source>
-        <translation>Agenten loslassen</translation>
+        <source>Deactivate the agent</source>
+        <translation>Agenten deaktivieren</translation>
     </message>
     <message>
         <source>Agent</source>
@@ -2955,24 +2955,24 @@
         <translation>Agenten</translation>
     </message>
     <message>
-        <source>Who is to walk: heights and slopes that the filters follow, and what each can reach</source>
-        <translation>Wer gehen soll: Höhen und Neigungen, denen die Filter folgen, und was jeder erreicht</translation>
+        <source>The agents of the level: their sizes set the filters, and a table compares what each can reach</source>
+        <translation>Die Agenten des Levels: Ihre Maße bestimmen die Filter, und eine Tabelle vergleicht, was jeder erreicht</translation>
     </message>
     <message>
         <source>Agent %1</source>
         <translation>Agent %1</translation>
     </message>
     <message>
-        <source>Give the filters this agent&apos;s sizes</source>
-        <translation>Den Filtern die Maße dieses Agenten geben</translation>
+        <source>Set the filters to this agent&apos;s sizes</source>
+        <translation>Die Filter auf die Maße dieses Agenten setzen</translation>
     </message>
     <message>
         <source>&amp;No agent</source>
         <translation>&amp;Kein Agent</translation>
     </message>
     <message>
-        <source>Let go of the active agent; the filters stay as they are</source>
-        <translation>Den aktiven Agenten loslassen; die Filter bleiben, wie sie sind</translation>
+        <source>Deactivate the agent; the filters keep their values</source>
+        <translation>Den Agenten deaktivieren; die Filter behalten ihre Werte</translation>
     </message>
     <message>
         <source>&amp;Compute all agents</source>
@@ -2991,8 +2991,8 @@
         <translation>Nacheinander</translation>
     </message>
     <message>
-        <source>What a new environment starts with</source>
-        <translation>Womit eine neue Umgebung beginnt</translation>
+        <source>The filters of a new environment</source>
+        <translation>Die Filter einer neuen Umgebung</translation>
     </message>
     <message>
         <source>Parallel</source>
@@ -3211,8 +3211,8 @@
         <translation>hier endet kein paralleler Block</translation>
     </message>
     <message>
-        <source>not inside a parallel block: it sees across cells</source>
-        <translation>nicht in einem parallelen Block: er sieht über Zellen hinweg</translation>
+        <source>not inside a parallel block: it needs all cells</source>
+        <translation>nicht in einem parallelen Block: er braucht alle Zellen</translation>
     </message>
     <message>
         <source>needs Vertical clearance before it</source>
@@ -3318,8 +3318,8 @@
         <translation>Stufe (%1)</translation>
     </message>
     <message>
-        <source>How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no filter for steps</source>
-        <translation>Wie hoch der Agent auf einmal steigt, auf Treppen und Bordsteinen: die Stufe der Filter. Mit 0 gibt es keinen Filter für Stufen</translation>
+        <source>The highest step that the agent climbs, such as a stair or a kerb: the step of the filters. 0 means no filter for steps</source>
+        <translation>Die höchste Stufe, die der Agent steigt, etwa auf Treppen oder an Bordsteinen: die Stufe der Filter. 0 bedeutet: kein Filter für Stufen</translation>
     </message>
     <message>
         <source>Gap (%1)</source>
@@ -3334,16 +3334,16 @@
         <translation>Sprung (%1)</translation>
     </message>
     <message>
-        <source>How wide a gap the agent steps over, seen from above: the gap of the filters for steps</source>
-        <translation>Wie breit eine Lücke sein darf, über die der Agent tritt, von oben gesehen: die Lücke der Filter für Stufen</translation>
+        <source>The widest gap that the agent steps over, seen from above: the gap of the filters for steps</source>
+        <translation>Die breiteste Lücke, über die der Agent tritt, von oben gesehen: die Lücke der Filter für Stufen</translation>
     </message>
     <message>
-        <source>How far the agent&apos;s middle stays away from walls and ledges: the radius of the filters. With 0 there is no filter for it</source>
-        <translation>Wie weit die Mitte des Agenten von Wänden und Kanten wegbleibt: der Radius der Filter. Mit 0 gibt es keinen Filter dafür</translation>
+        <source>The distance that the agent&apos;s middle keeps from walls and ledges: the radius of the filters. 0 means no filter for it</source>
+        <translation>Der Abstand, den die Mitte des Agenten von Wänden und Kanten hält: der Radius der Filter. 0 bedeutet: kein Filter dafür</translation>
     </message>
     <message>
-        <source>How deep the agent drops from ledges, one way: the depth of the filters. With 0 there is no filter for drops</source>
-        <translation>Wie tief der Agent von Kanten springt, nur hinab: die Tiefe der Filter. Mit 0 gibt es keinen Filter für Sprünge</translation>
+        <source>The deepest drop that the agent takes from a ledge, one way: the depth of the filters. 0 means no filter for drops</source>
+        <translation>Der tiefste Sprung, den der Agent von einer Kante macht, nur hinab: die Tiefe der Filter. 0 bedeutet: kein Filter für Sprünge</translation>
     </message>
 </context>
 <context>
@@ -3385,8 +3385,8 @@
         <translation>Keiner</translation>
     </message>
     <message>
-        <source>Let go of the active agent: the filters stay as they are (Alt+0)</source>
-        <translation>Den aktiven Agenten loslassen: Die Filter bleiben, wie sie sind (Alt+0)</translation>
+        <source>Deactivate the agent; the filters keep their values (Alt+0)</source>
+        <translation>Den Agenten deaktivieren; die Filter behalten ihre Werte (Alt+0)</translation>
     </message>
     <message>
         <source>Compute all</source>
@@ -3603,8 +3603,8 @@
         <translation>&amp;Auswahl ins Bild</translation>
     </message>
     <message>
-        <source>Bring what is selected, or what the mouse points at, into sight</source>
-        <translation>Das Ausgewählte, oder worauf die Maus zeigt, ins Bild bringen</translation>
+        <source>Bring the selection, or the place under the mouse, into view</source>
+        <translation>Die Auswahl oder die Stelle unter der Maus ins Bild bringen</translation>
     </message>
     <message>
         <source>&amp;Fly</source>
@@ -3619,16 +3619,16 @@
         <translation>Zu &amp;neuen Ansichten gleiten</translation>
     </message>
     <message>
-        <source>Show where the camera goes when it jumps; off to reduce motion</source>
-        <translation>Zeigen, wohin die Kamera springt; aus für weniger Bewegung</translation>
+        <source>Animate jumps of the camera; switch off to reduce motion</source>
+        <translation>Sprünge der Kamera animieren; ausschalten für weniger Bewegung</translation>
     </message>
     <message>
         <source>&amp;Keep this view...</source>
         <translation>Diese Ansicht &amp;behalten...</translation>
     </message>
     <message>
-        <source>Remember where the camera is, under a name</source>
-        <translation>Merken, wo die Kamera ist, unter einem Namen</translation>
+        <source>Save the camera position under a name</source>
+        <translation>Die Kameraposition unter einem Namen merken</translation>
     </message>
     <message>
         <source>&amp;Forget</source>
@@ -3643,11 +3643,11 @@
         <translation>Ansicht %1</translation>
     </message>
     <message>
-        <source>No view is kept there; Ctrl+Alt+%1 keeps this one</source>
-        <translation>Dort ist keine Ansicht behalten; Strg+Alt+%1 behält diese</translation>
+        <source>No view is saved there; Ctrl+Alt+%1 saves this one</source>
+        <translation>Dort ist keine Ansicht gemerkt; Strg+Alt+%1 merkt diese</translation>
     </message>
     <message>
-        <source>No bookmarks; Ctrl+Alt+1 to 9 keep one, Ctrl+Shift+1 to 9 go there</source>
+        <source>No bookmarks; Ctrl+Alt+1 to 9 saves one, Ctrl+Shift+1 to 9 goes there</source>
         <translation>Keine Lesezeichen; Strg+Alt+1 bis 9 merkt eines, Strg+Umschalt+1 bis 9 führt dorthin</translation>
     </message>
     <message>
@@ -3951,7 +3951,7 @@
         <translation>Vergleich</translation>
     </message>
     <message>
-        <source>Show what appeared and what went since the last edit, or beside a saved result</source>
+        <source>Show what appeared and what disappeared since the last edit, or compared with a saved result</source>
         <translation>Zeigen, was seit der letzten Änderung oder gegenüber einem gespeicherten Ergebnis dazukam und was wegfiel</translation>
     </message>
     <message>
@@ -3959,7 +3959,7 @@
         <translation>Mit der letzten Änderung vergleichen</translation>
     </message>
     <message>
-        <source>Show over the view what the last edit has made walkable, and what is not walkable any more</source>
+        <source>Show in the view what the last edit made walkable, and what is no longer walkable</source>
         <translation>In der Ansicht zeigen, was die letzte Änderung begehbar gemacht hat und was nicht mehr begehbar ist</translation>
     </message>
     <message>
@@ -3967,8 +3967,8 @@
         <translation>Mit einem gespeicherten Ergebnis vergleichen …</translation>
     </message>
     <message>
-        <source>Show over the view what an exported result, or another tool&apos;s mesh, has not or has</source>
-        <translation>In der Ansicht zeigen, was ein exportiertes Ergebnis oder das Netz eines anderen Programms nicht hat oder mehr hat</translation>
+        <source>Show in the view how an exported result, or another tool&apos;s mesh, differs</source>
+        <translation>In der Ansicht zeigen, worin sich ein exportiertes Ergebnis oder das Netz eines anderen Programms unterscheidet</translation>
     </message>
     <message>
         <source>Compare with a saved result</source>
@@ -3991,8 +3991,8 @@
         <translation>Es gibt noch kein Ergebnis; der Vergleich folgt, wenn ein Lauf beendet ist.</translation>
     </message>
     <message>
-        <source>Nothing was edited yet; after the next edit, what it changed is shown.</source>
-        <translation>Noch wurde nichts geändert; nach der nächsten Änderung wird gezeigt, was sie bewirkt hat.</translation>
+        <source>There is no edit yet; the changes of the next edit will be shown here.</source>
+        <translation>Es gibt noch keine Änderung; hier erscheint, was die nächste Änderung bewirkt.</translation>
     </message>
     <message numerus="yes">
         <source>Only the largest %n regions are drawn</source>
@@ -4024,7 +4024,7 @@
         <translation>Dazugekommen: %1</translation>
     </message>
     <message>
-        <source>Went: %1</source>
+        <source>Disappeared: %1</source>
         <translation>Weggefallen: %1</translation>
     </message>
     <message>
@@ -4048,8 +4048,8 @@
         <translation>Nach &amp;Abstand färben</translation>
     </message>
     <message>
-        <source>Colour the result by how far its vertices are from the other one: red is nothing, blue the largest</source>
-        <translation>Das Ergebnis danach färben, wie weit seine Ecken vom anderen entfernt sind: rot ist nichts, blau das meiste</translation>
+        <source>Colour the result by the distance of its vertices from the other one: red is zero, blue the largest</source>
+        <translation>Das Ergebnis nach dem Abstand seiner Ecken vom anderen färben: rot ist null, blau der größte</translation>
     </message>
     <message>
         <source>Compare &amp;with</source>
@@ -4095,7 +4095,7 @@
         <translation>dazugekommen</translation>
     </message>
     <message>
-        <source>went</source>
+        <source>disappeared</source>
         <translation>weggefallen</translation>
     </message>
 </context>
@@ -4448,24 +4448,24 @@
         <translation>Hilfe</translation>
     </message>
     <message>
-        <source>Tells about the filter that has the focus</source>
-        <translation>Erklärt den Filter, der den Fokus hat</translation>
+        <source>Describes the filter that has the focus</source>
+        <translation>Beschreibt den Filter, der den Fokus hat</translation>
     </message>
     <message>
         <source>&amp;Reset window layout</source>
         <translation>&amp;Fensteraufteilung zurücksetzen</translation>
     </message>
     <message>
-        <source>Put all panels and tool bars back to where they were at first</source>
-        <translation>Alle Tafeln und Leisten dorthin zurückstellen, wo sie anfangs waren</translation>
+        <source>Move all panels and tool bars back to their default places</source>
+        <translation>Alle Tafeln und Leisten an ihre vorgegebenen Plätze zurückstellen</translation>
     </message>
     <message>
         <source>&amp;Find a command...</source>
         <translation>&amp;Befehl suchen...</translation>
     </message>
     <message>
-        <source>Everything that can be done, by a few letters</source>
-        <translation>Alles, was man tun kann, mit wenigen Buchstaben</translation>
+        <source>Find any command by a few letters</source>
+        <translation>Jeden Befehl mit wenigen Buchstaben finden</translation>
     </message>
     <message>
         <source>Writing %1</source>
@@ -4480,11 +4480,11 @@
         <translation>Laden abgebrochen</translation>
     </message>
     <message>
-        <source>Cancelled; the view shows the result before. Press F5 to run again.</source>
+        <source>Cancelled; the view shows the previous result. Press F5 to run again.</source>
         <translation>Abgebrochen; die Ansicht zeigt das vorige Ergebnis. F5 startet erneut.</translation>
     </message>
     <message>
-        <source>The run failed; the view shows the result before</source>
+        <source>The run failed; the view shows the previous result</source>
         <translation>Der Lauf ist fehlgeschlagen; die Ansicht zeigt das vorige Ergebnis</translation>
     </message>
     <message>
@@ -4556,8 +4556,8 @@
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
-        <source>Give the window all of the screen, or take that back</source>
-        <translation>Das Fenster den ganzen Bildschirm füllen lassen oder das zurücknehmen</translation>
+        <source>Show the window on the whole screen, or leave full screen</source>
+        <translation>Das Fenster auf dem ganzen Bildschirm zeigen oder das Vollbild verlassen</translation>
     </message>
     <message>
         <source>Stop loading, running or exporting; the last result stays (Esc)</source>
@@ -4622,12 +4622,12 @@
         <translation>Teile der Umgebung weglassen oder zu Hindernissen machen, auf denen niemand geht</translation>
     </message>
     <message>
-        <source>%1 is gone from the disk; the result stays, and the file is read again when it comes back</source>
-        <translation>%1 ist nicht mehr auf der Platte; das Ergebnis bleibt, und die Datei wird wieder gelesen, wenn sie zurückkommt</translation>
+        <source>%1 was deleted; the result stays, and the file is read again once it exists</source>
+        <translation>%1 wurde gelöscht; das Ergebnis bleibt, und die Datei wird gelesen, sobald es sie wieder gibt</translation>
     </message>
     <message>
-        <source>%1 changed on disk, but %2; what was read before stays</source>
-        <translation>%1 hat sich auf der Platte geändert, aber %2; das zuvor Gelesene bleibt</translation>
+        <source>%1 changed on disk, but %2; the earlier version stays loaded</source>
+        <translation>%1 hat sich auf der Platte geändert, aber %2; die frühere Fassung bleibt geladen</translation>
     </message>
     <message>
         <source>%1 changed on disk; read again</source>
@@ -4901,11 +4901,11 @@
         <translation>%1 Dateien, die erste ist %2</translation>
     </message>
     <message>
-        <source>Off: all that is walkable together</source>
-        <translation>Aus: alles Begehbare zusammen</translation>
+        <source>Off: the whole walkable area as one</source>
+        <translation>Aus: die ganze begehbare Fläche zusammen</translation>
     </message>
     <message>
-        <source>Off: the file has no steps; floors that only steps join are apart in it</source>
+        <source>Off: the file has no steps; floors that only steps join are separate</source>
         <translation>Aus: ohne Stufen; Böden, die nur Stufen verbinden, sind in der Datei getrennt</translation>
     </message>
 </context>
@@ -5240,16 +5240,16 @@
         <translation>Vorlagen</translation>
     </message>
     <message>
-        <source>Take a pipeline by its name, or keep this one</source>
-        <translation>Eine Pipeline nach Namen nehmen, oder diese behalten</translation>
+        <source>Load a saved pipeline, or save this one</source>
+        <translation>Eine gespeicherte Pipeline laden oder diese speichern</translation>
     </message>
     <message>
         <source>Run automatically</source>
         <translation>Selbsttätig ausführen</translation>
     </message>
     <message>
-        <source>On: each edit runs at once, or when you stop where runs take long. Off: press F5 to run.</source>
-        <translation>An: Jede Änderung läuft sofort, oder wenn Sie innehalten, wo Läufe lange dauern. Aus: F5 führt aus.</translation>
+        <source>On: every edit starts a run; if runs take long, the run starts when you pause. Off: press F5 to run.</source>
+        <translation>An: Jede Änderung startet einen Lauf; dauern Läufe lange, beginnt er, wenn Sie innehalten. Aus: F5 startet den Lauf.</translation>
     </message>
     <message>
         <source>Add a filter behind the selected one, or at the end of the list</source>
@@ -5339,8 +5339,8 @@
         <translation>Startpunkte setzen</translation>
     </message>
     <message>
-        <source>Click places in the view from where agents start; what they cannot reach goes</source>
-        <translation>Klicken Sie in der Ansicht auf Stellen, an denen Agenten beginnen; was sie nicht erreichen, entfällt</translation>
+        <source>Click the places in the view where agents start; everything that they cannot reach is removed</source>
+        <translation>Klicken Sie in der Ansicht auf die Stellen, an denen Agenten beginnen; was sie nicht erreichen, wird entfernt</translation>
     </message>
     <message>
         <source>and %1 more</source>
@@ -5380,12 +5380,12 @@
 <context>
     <name>footfall::ui::GuardedApplication</name>
     <message>
-        <source>something went wrong that gave no reason; save your session under another name and start Footfall anew</source>
-        <translation>Etwas ging schief und nannte keinen Grund; speichern Sie die Sitzung unter anderem Namen und starten Sie Footfall neu</translation>
+        <source>an unknown error occurred; save your session under another name and restart Footfall</source>
+        <translation>Ein unbekannter Fehler ist aufgetreten; speichern Sie die Sitzung unter anderem Namen und starten Sie Footfall neu</translation>
     </message>
     <message>
-        <source>memory ran out; what was there is still there. Close other programs, or open a smaller environment</source>
-        <translation>Der Speicher reicht nicht; was da war, ist noch da. Schließen Sie andere Programme oder öffnen Sie eine kleinere Umgebung</translation>
+        <source>memory ran out; nothing was lost. Close other programs, or open a smaller environment</source>
+        <translation>Der Speicher reicht nicht; nichts ging verloren. Schließen Sie andere Programme oder öffnen Sie eine kleinere Umgebung</translation>
     </message>
     <message>
         <source>internal error (%1); please report it with what you did</source>
@@ -5399,10 +5399,10 @@
         <translation>Gezeigte Höhen</translation>
     </message>
     <message>
-        <source>Leave out what is higher or lower, to look under roofs. The result stays the same.
-Handles snap to floors, not with Alt held; a double click shows all again.</source>
-        <translation>Weglassen, was höher oder tiefer liegt, um unter Dächer zu sehen. Das Ergebnis bleibt gleich.
-Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklick zeigt wieder alles.</translation>
+        <source>Hide everything that is higher or lower, to look under roofs. The result does not change.
+Handles snap to floors, except while Alt is held; a double click shows everything again.</source>
+        <translation>Ausblenden, was höher oder tiefer liegt, um unter Dächer zu sehen. Das Ergebnis ändert sich nicht.
+Die Griffe rasten an Böden ein, außer mit gedrückter Alt-Taste; ein Doppelklick zeigt wieder alles.</translation>
     </message>
     <message>
         <source>From %1 to %2</source>
@@ -5479,7 +5479,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Beide Seiten zählen als oben</translation>
     </message>
     <message>
-        <source>For files whose triangles face the wrong way: whatever faces down is taken as facing up.</source>
+        <source>For files whose triangles face the wrong way: triangles that face down also count as facing up.</source>
         <translation>Für Dateien, deren Dreiecke falsch herum liegen: Was nach unten zeigt, gilt als nach oben zeigend.</translation>
     </message>
     <message>
@@ -5563,7 +5563,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Wie viele Meter eine Einheit der Datei ist. Koordinaten werden nie umgerechnet: Längen werden in Metern gezeigt und eingegeben, und Filter mit unveränderten Vorgaben folgen.</translation>
     </message>
     <message>
-        <source>The file does not say what its unit is. Once the scale is known, all lengths are shown and typed in metres (or as View &gt; Lengths in says).</source>
+        <source>The file does not state its unit. Once the scale is known, all lengths are shown and typed in metres (or in the unit of View &gt; Lengths in).</source>
         <translation>Die Datei sagt nicht, was ihre Einheit ist. Ist der Maßstab bekannt, werden alle Längen in Metern gezeigt und eingegeben (oder wie unter Ansicht &gt; Längen in gewählt).</translation>
     </message>
     <message>
@@ -5622,8 +5622,8 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Warum?</translation>
     </message>
     <message>
-        <source>Show why the last place that was asked for is walkable or not</source>
-        <translation>Zeigen, warum die zuletzt gefragte Stelle begehbar ist oder nicht</translation>
+        <source>Show why the last clicked place is walkable or not</source>
+        <translation>Zeigen, warum die zuletzt angeklickte Stelle begehbar ist oder nicht</translation>
     </message>
     <message>
         <source>&amp;Why?</source>
@@ -5826,7 +5826,7 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Schraffiert: steiler als die Grenze des Neigungsfilters</translation>
     </message>
     <message>
-        <source>Hatched: less than the clearance filter asks for</source>
+        <source>Hatched: less than the clearance filter needs</source>
         <translation>Schraffiert: weniger, als der Höhenfilter verlangt</translation>
     </message>
     <message>
@@ -5846,16 +5846,16 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Stufe: kann gestiegen werden</translation>
     </message>
     <message>
-        <source>Two borders over each other, from one of which an agent steps to the other</source>
-        <translation>Zwei Ränder übereinander, von deren einem ein Agent auf den anderen steigt</translation>
+        <source>Two borders above each other that an agent can step between</source>
+        <translation>Zwei Ränder übereinander, zwischen denen ein Agent steigen kann</translation>
     </message>
     <message>
         <source>Gap: can be stepped over</source>
         <translation>Lücke: darüber kann man treten</translation>
     </message>
     <message>
-        <source>Two borders beside each other, from one of which an agent steps over to the other</source>
-        <translation>Zwei Ränder nebeneinander, von deren einem ein Agent zum anderen hinübertritt</translation>
+        <source>Two borders beside each other that an agent can step between</source>
+        <translation>Zwei Ränder nebeneinander, zwischen denen ein Agent hinübertreten kann</translation>
     </message>
     <message>
         <source>Drop: one way down</source>
@@ -5913,8 +5913,8 @@ Die Griffe rasten an Böden ein, mit gedrückter Alt-Taste nicht; ein Doppelklic
         <translation>Hineinse&amp;hen</translation>
     </message>
     <message>
-        <source>Leave out faces seen from behind, and roofs and outer walls while one looks down, to see the floors inside</source>
-        <translation>Flächen weglassen, die von hinten zu sehen sind, und beim Blick nach unten auch Dächer und Außenwände, um die Böden innen zu sehen</translation>
+        <source>Hide faces seen from behind, and roofs and outer walls while the camera looks down, to show the floors inside</source>
+        <translation>Flächen ausblenden, die von hinten zu sehen sind, und beim Blick nach unten auch Dächer und Außenwände, um die Böden innen zu zeigen</translation>
     </message>
     <message>
         <source>Roofs and outer walls are open: %1 closes them.
@@ -6071,8 +6071,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Filter unter den Zellen: </translation>
     </message>
     <message>
-        <source>Nothing has run: the cells by estimated cost, each for the thread that is free first.</source>
-        <translation>Noch ist nichts gelaufen: die Zellen nach geschätztem Aufwand, jede für den Thread, der zuerst frei ist.</translation>
+        <source>Before a run: the cells by estimated cost, each on the first free thread.</source>
+        <translation>Vor einem Lauf: die Zellen nach geschätztem Aufwand, jede auf dem ersten freien Thread.</translation>
     </message>
     <message>
         <source>The lanes of the threads fill when cells run.</source>
@@ -6083,8 +6083,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Threads eines Laufs</translation>
     </message>
     <message>
-        <source>So many threads at most compute a run; the result is the same</source>
-        <translation>Höchstens so viele Threads rechnen an einem Lauf; das Ergebnis ist dasselbe</translation>
+        <source>The largest number of threads of a run; the result does not depend on it</source>
+        <translation>Die größte Zahl der Threads eines Laufs; das Ergebnis hängt nicht davon ab</translation>
     </message>
     <message>
         <source>Expected: imbalance &lt;b&gt;%1&lt;/b&gt; on 1 thread</source>
@@ -6099,8 +6099,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Rechnen auf</translation>
     </message>
     <message>
-        <source>What computes the cells of a run; the result is the same</source>
-        <translation>Was die Zellen eines Laufs berechnet; das Ergebnis ist dasselbe</translation>
+        <source>Where the cells of a run are computed; the result does not depend on it</source>
+        <translation>Wo die Zellen eines Laufs berechnet werden; das Ergebnis hängt nicht davon ab</translation>
     </message>
     <message numerus="yes">
         <source>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n rank(s)</source>
@@ -6114,8 +6114,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Seiten der Auslastung</translation>
     </message>
     <message>
-        <source>Where the time of all threads went</source>
-        <translation>Wo die Zeit aller Threads geblieben ist</translation>
+        <source>How the time of all threads was used</source>
+        <translation>Wofür die Zeit aller Threads verwendet wurde</translation>
     </message>
     <message>
         <source>Threads</source>
@@ -6283,8 +6283,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Wie viele Läufe</translation>
     </message>
     <message>
-        <source>So many runs, one after the other</source>
-        <translation>So viele Läufe nacheinander</translation>
+        <source>The number of runs, one after the other</source>
+        <translation>Die Zahl der Läufe, einer nach dem anderen</translation>
     </message>
     <message>
         <source>Stop</source>
@@ -6299,8 +6299,8 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Neu messen</translation>
     </message>
     <message>
-        <source>Run the whole pipeline anew, several times, and take nothing from caches</source>
-        <translation>Die ganze Pipeline mehrmals neu rechnen und nichts aus Caches nehmen</translation>
+        <source>Run the whole pipeline several times, without caches</source>
+        <translation>Die ganze Pipeline mehrmals ausführen, ohne Zwischenspeicher</translation>
     </message>
     <message numerus="yes">
         <source>%n run(s), nothing from caches; the timeline shows the median one.</source>
@@ -6341,16 +6341,16 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <translation>Letzte entfernen</translation>
     </message>
     <message>
-        <source>Take the last place back</source>
-        <translation>Die letzte Stelle zurücknehmen</translation>
+        <source>Remove the last place</source>
+        <translation>Die letzte Stelle entfernen</translation>
     </message>
     <message>
         <source>Clear</source>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Take all places away</source>
-        <translation>Alle Stellen wegnehmen</translation>
+        <source>Remove all places</source>
+        <translation>Alle Stellen entfernen</translation>
     </message>
     <message>
         <source>Click two or more places in the view.</source>
@@ -6391,8 +6391,8 @@ bis %2</translation>
         <translation>Maßstab setzen...</translation>
     </message>
     <message>
-        <source>Type how long the last piece is in metres; the scale of the level follows</source>
-        <translation>Eingeben, wie viele Meter das letzte Stück lang ist; der Maßstab der Umgebung folgt daraus</translation>
+        <source>Enter the length of the last piece in metres, to set the scale of the level</source>
+        <translation>Die Länge des letzten Stücks in Metern eingeben, um den Maßstab des Levels zu setzen</translation>
     </message>
     <message>
         <source>Scale by reference</source>
@@ -6620,8 +6620,8 @@ Grundriss %2, Höhe %3
         <translation>Name des Hindernisses</translation>
     </message>
     <message>
-        <source>What it is called in this list, in undo and in exports</source>
-        <translation>Wie es in dieser Liste, beim Rückgängigmachen und in Exporten heißt</translation>
+        <source>Its name in this list, in undo and in exports</source>
+        <translation>Sein Name in dieser Liste, beim Rückgängigmachen und in Exporten</translation>
     </message>
     <message>
         <source>Name</source>
@@ -6672,8 +6672,8 @@ Grundriss %2, Höhe %3
         <translation>Am Boden haften</translation>
     </message>
     <message>
-        <source>What is moved sideways follows the ground: up to a metre up, and down as far as it goes</source>
-        <translation>Was seitwärts bewegt wird, folgt dem Boden: bis einen Meter hinauf, und hinab, so weit es geht</translation>
+        <source>Obstacles that are moved sideways follow the ground: up to a metre up, and down to any depth</source>
+        <translation>Seitwärts bewegte Hindernisse folgen dem Boden: bis einen Meter hinauf und beliebig tief hinab</translation>
     </message>
     <message>
         <source>Rename to %1</source>
@@ -6734,28 +6734,28 @@ Grundriss %2, Höhe %3
 <context>
     <name>footfall::ui::PackedFeature</name>
     <message>
-        <source>Run on &amp;what is looked at</source>
-        <translation>&amp;Dort ausführen, wohin man sieht</translation>
+        <source>Run on the &amp;visible part</source>
+        <translation>Auf dem &amp;sichtbaren Teil ausführen</translation>
     </message>
     <message>
-        <source>Of an environment that is too large to run on: make the part in the middle of the view the one that filters run on</source>
-        <translation>Bei einer Umgebung, die für Läufe zu groß ist: die Filter laufen auf dem Teil, der in der Mitte der Ansicht liegt</translation>
+        <source>Run the filters on the part in the middle of the view, in an environment that is too large to run whole</source>
+        <translation>Die Filter auf dem Teil in der Mitte der Ansicht ausführen, bei einer Umgebung, die als Ganzes zu groß ist</translation>
     </message>
     <message>
-        <source>What the view shows in full of an environment that is too large to be loaded</source>
-        <translation>Was die Ansicht von einer Umgebung, die zu groß zum Laden ist, vollständig zeigt</translation>
+        <source>The parts of a large environment that the view shows in full</source>
+        <translation>Die Teile einer großen Umgebung, die die Ansicht vollständig zeigt</translation>
     </message>
     <message>
-        <source>What is looked at has more than %1 triangles: the part is smaller.</source>
-        <translation>Was zu sehen ist, hat mehr als %1 Dreiecke: Der Teil ist kleiner.</translation>
+        <source>The visible place has more than %1 triangles; the part is smaller.</source>
+        <translation>Die sichtbare Stelle hat mehr als %1 Dreiecke; der Teil ist kleiner.</translation>
     </message>
     <message>
         <source>%1 has %2 million triangles. The view shows them coarse, and in full where you look; filters run on the part in the frame. All of it: footfall run --memory.</source>
         <translation>%1 hat %2 Millionen Dreiecke. Die Ansicht zeigt sie grob, und wohin Sie sehen vollständig; die Filter laufen auf dem Teil im Rahmen. Alles: footfall run --memory.</translation>
     </message>
     <message>
-        <source>Run on what is looked at</source>
-        <translation>Dort ausführen, wohin man sieht</translation>
+        <source>Run on the visible part</source>
+        <translation>Auf dem sichtbaren Teil ausführen</translation>
     </message>
     <message>
         <source>Coarse; in full: %1 of %2 blocks, %3 of %4 million triangles</source>
@@ -6899,7 +6899,7 @@ Material: %2</translation>
         <translation>Weglassen</translation>
     </message>
     <message>
-        <source>Selected parts are left out, as if the file had none of them</source>
+        <source>Selected parts are left out, as if the file did not have them</source>
         <translation>Ausgewählte Teile werden weggelassen, als hätte die Datei sie nicht</translation>
     </message>
     <message>
@@ -7020,8 +7020,8 @@ Material: %2</translation>
         <translation>Tauschen</translation>
     </message>
     <message>
-        <source>Start where it ends, and the other way round</source>
-        <translation>Am Ende beginnen und umgekehrt</translation>
+        <source>Swap start and target</source>
+        <translation>Start und Ziel vertauschen</translation>
     </message>
     <message>
         <source>Copy</source>
@@ -7036,8 +7036,8 @@ Material: %2</translation>
         <translation>Leeren</translation>
     </message>
     <message>
-        <source>Take both places away</source>
-        <translation>Beide Stellen wegnehmen</translation>
+        <source>Remove both places</source>
+        <translation>Beide Stellen entfernen</translation>
     </message>
     <message>
         <source>Start %1</source>
@@ -7067,16 +7067,16 @@ Material: %2</translation>
         <translation>Hier ist nichts begehbar.</translation>
     </message>
     <message>
-        <source>The start is not walkable. The nearest place that is lies %1 away, at %2.</source>
+        <source>The start is not walkable. The nearest walkable place is %1 away, at %2.</source>
         <translation>Der Start ist nicht begehbar. Die nächste begehbare Stelle liegt %1 entfernt, bei %2.</translation>
     </message>
     <message>
-        <source>The target is not walkable. One can come as near as %1 to it, at %2.</source>
-        <translation>Das Ziel ist nicht begehbar. Man kommt ihm auf %1 nahe, bei %2.</translation>
+        <source>The target is not walkable. The nearest place that can be reached is %1 away, at %2.</source>
+        <translation>Das Ziel ist nicht begehbar. Die nächste erreichbare Stelle ist %1 entfernt, bei %2.</translation>
     </message>
     <message>
-        <source>No way leads there: start and target are on separate parts. One can come as near as %1, at %2.</source>
-        <translation>Kein Weg führt dorthin: Start und Ziel liegen auf getrennten Teilen. Man kommt auf %1 heran, bei %2.</translation>
+        <source>There is no way: start and target are on separate parts. The nearest place that can be reached is %1 away, at %2.</source>
+        <translation>Es gibt keinen Weg: Start und Ziel liegen auf getrennten Teilen. Die nächste erreichbare Stelle ist %1 entfernt, bei %2.</translation>
     </message>
     <message>
         <source>In the plan %1, 1 bend</source>
@@ -7123,8 +7123,8 @@ Material: %2</translation>
         <translation>%1 Stufen, %2</translation>
     </message>
     <message>
-        <source>Drops lead from the target to the start, but no way leads back up. One can come as near as %1, at %2.</source>
-        <translation>Sprünge führen vom Ziel zum Start, aber kein Weg führt wieder hinauf. Man kommt bis auf %1 heran, bei %2.</translation>
+        <source>Drops lead from the target to the start, but no way leads back up. The nearest place that can be reached is %1 away, at %2.</source>
+        <translation>Sprünge führen vom Ziel zum Start, aber kein Weg führt wieder hinauf. Die nächste erreichbare Stelle ist %1 entfernt, bei %2.</translation>
     </message>
     <message>
         <source>1 gap stepped over</source>
@@ -7181,8 +7181,8 @@ Material: %2</translation>
 <context>
     <name>footfall::ui::PhasePlot</name>
     <message>
-        <source>Where the time of the run went</source>
-        <translation>Wohin die Zeit des Laufs ging</translation>
+        <source>How the time of the run was used</source>
+        <translation>Wofür die Zeit des Laufs verwendet wurde</translation>
     </message>
 </context>
 <context>
@@ -7368,8 +7368,8 @@ Material: %2</translation>
         <translation>Befehl</translation>
     </message>
     <message>
-        <source>Press the keys that the selected command is to have</source>
-        <translation>Die Tasten drücken, die der ausgewählte Befehl haben soll</translation>
+        <source>Press the new keys of the selected command</source>
+        <translation>Die neuen Tasten des ausgewählten Befehls drücken</translation>
     </message>
     <message>
         <source>&amp;Usual keys</source>
@@ -7384,14 +7384,14 @@ Material: %2</translation>
         <translation>Alle &amp;zurücksetzen</translation>
     </message>
     <message>
-        <source>%1 already belongs to %2; take it away there first.</source>
-        <translation>%1 gehört schon zu „%2“; nehmen Sie die Taste erst dort weg.</translation>
+        <source>%1 is already used by %2; remove it there first.</source>
+        <translation>%1 wird schon von „%2“ verwendet; entfernen Sie die Taste zuerst dort.</translation>
     </message>
 </context>
 <context>
     <name>footfall::ui::PresetStore</name>
     <message>
-        <source>a preset &apos;%1&apos; is there already; choose another name</source>
+        <source>a preset named &apos;%1&apos; already exists; choose another name</source>
         <translation>Eine Vorlage „%1“ gibt es schon; wählen Sie einen anderen Namen</translation>
     </message>
     <message>
@@ -7508,8 +7508,8 @@ Material: %2</translation>
 <context>
     <name>footfall::ui::RecentFiles</name>
     <message>
-        <source>%1 (not there any more)</source>
-        <translation>%1 (nicht mehr da)</translation>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
     </message>
     <message>
         <source>(none yet)</source>
@@ -7527,7 +7527,7 @@ Material: %2</translation>
         <translation>%1 ersetzen?</translation>
     </message>
     <message>
-        <source>This file is in %1 (%2, last changed %3). What is in it is lost.</source>
+        <source>This file is in %1 (%2, last changed %3). Its content will be lost.</source>
         <translation>Diese Datei liegt in %1 (%2, zuletzt geändert %3). Ihr Inhalt geht verloren.</translation>
     </message>
     <message>
@@ -7535,12 +7535,12 @@ Material: %2</translation>
         <translation>&amp;Ersetzen</translation>
     </message>
     <message>
-        <source>Replace %1 files, as far as they are written anew?</source>
-        <translation>%1 Dateien ersetzen, soweit sie neu geschrieben werden?</translation>
+        <source>Replace up to %1 files?</source>
+        <translation>Bis zu %1 Dateien ersetzen?</translation>
     </message>
     <message>
-        <source>They are in %1: %2. What is in them is lost.</source>
-        <translation>Sie liegen in %1: %2. Was darin steht, geht verloren.</translation>
+        <source>They are in %1: %2. Their content will be lost.</source>
+        <translation>Sie liegen in %1: %2. Ihr Inhalt geht verloren.</translation>
     </message>
 </context>
 <context>
@@ -7578,8 +7578,8 @@ Material: %2</translation>
         <translation>Nach jedem La&amp;uf exportieren</translation>
     </message>
     <message>
-        <source>Write every new result to the file of the last export, for a program beside that follows it</source>
-        <translation>Jedes neue Ergebnis in die Datei des letzten Exports schreiben, für ein Programm daneben, das ihr folgt</translation>
+        <source>Write every new result to the file of the last export, for another program that watches it</source>
+        <translation>Jedes neue Ergebnis in die Datei des letzten Exports schreiben, für ein anderes Programm, das sie beobachtet</translation>
     </message>
     <message>
         <source>&amp;Floor plan...</source>
@@ -7745,19 +7745,19 @@ Material: %2</translation>
         <translation>Rechnerliste:</translation>
     </message>
     <message>
-        <source>Slurm&apos;s usual one</source>
-        <translation>die übliche von Slurm</translation>
+        <source>Slurm&apos;s default</source>
+        <translation>Vorgabe von Slurm</translation>
     </message>
     <message>
         <source>Partition:</source>
         <translation>Partition:</translation>
     </message>
     <message>
-        <source>Folder that all machines see:</source>
-        <translation>Ordner, den alle Rechner sehen:</translation>
+        <source>Folder that all machines share:</source>
+        <translation>Gemeinsamer Ordner aller Rechner:</translation>
     </message>
     <message>
-        <source>Jobs are left there while they run, and removed in the end</source>
+        <source>Jobs stay there while they run, and are removed at the end</source>
         <translation>Aufträge liegen dort, solange sie laufen, und werden am Ende entfernt</translation>
     </message>
     <message>
@@ -7765,8 +7765,8 @@ Material: %2</translation>
         <translation>Durchsuchen...</translation>
     </message>
     <message>
-        <source>%1 is no folder; name one that all machines see</source>
-        <translation>%1 ist kein Ordner; einen nennen, den alle Rechner sehen</translation>
+        <source>%1 is not a folder; give one that all machines share</source>
+        <translation>%1 ist kein Ordner; geben Sie einen an, den alle Rechner gemeinsam haben</translation>
     </message>
 </context>
 <context>
@@ -7788,8 +7788,8 @@ Material: %2</translation>
         <translation>Rechner von Slurm</translation>
     </message>
     <message>
-        <source>What computes the cells of a run; the result is the same</source>
-        <translation>Was die Zellen eines Laufs berechnet; das Ergebnis ist dasselbe</translation>
+        <source>Where the cells of a run are computed; the result does not depend on it</source>
+        <translation>Wo die Zellen eines Laufs berechnet werden; das Ergebnis hängt nicht davon ab</translation>
     </message>
     <message numerus="yes">
         <source>%n process(es) here</source>
@@ -7835,8 +7835,8 @@ Material: %2</translation>
         <translation>%1 Threads</translation>
     </message>
     <message>
-        <source>So many threads at most compute a run; the result is the same</source>
-        <translation>Höchstens so viele Threads rechnen an einem Lauf; das Ergebnis ist dasselbe</translation>
+        <source>The largest number of threads of a run; the result does not depend on it</source>
+        <translation>Die größte Zahl der Threads eines Laufs; das Ergebnis hängt nicht davon ab</translation>
     </message>
 </context>
 <context>
@@ -7897,8 +7897,8 @@ Material: %2</translation>
         <translation>Start&amp;punkte setzen</translation>
     </message>
     <message>
-        <source>Click places from where agents start; what they cannot reach goes</source>
-        <translation>Klicken Sie auf Stellen, an denen Agenten beginnen; was sie nicht erreichen, entfällt</translation>
+        <source>Click the places where agents start; everything that they cannot reach is removed</source>
+        <translation>Klicken Sie auf die Stellen, an denen Agenten beginnen; was sie nicht erreichen, wird entfernt</translation>
     </message>
 </context>
 <context>
@@ -7970,8 +7970,8 @@ Material: %2</translation>
         <translation>&amp;Zeigen</translation>
     </message>
     <message>
-        <source>What keeps start and target apart</source>
-        <translation>Was Start und Ziel trennt</translation>
+        <source>The obstacle between start and target</source>
+        <translation>Das Hindernis zwischen Start und Ziel</translation>
     </message>
     <message>
         <source>Bring the place into sight where the two parts are nearest to each other</source>
@@ -8036,12 +8036,12 @@ Material: %2</translation>
 <context>
     <name>footfall::ui::SessionKeeper</name>
     <message>
-        <source>%1: the session cannot be kept for after a crash; make this folder writable</source>
-        <translation>%1: Die Sitzung kann nicht für den Fall eines Absturzes behalten werden; machen Sie diesen Ordner beschreibbar</translation>
+        <source>%1: the session cannot be saved for recovery after a crash; make this folder writable</source>
+        <translation>%1: Die Sitzung kann nicht zur Wiederherstellung nach einem Absturz gespeichert werden; machen Sie diesen Ordner beschreibbar</translation>
     </message>
     <message>
-        <source>The session cannot be kept for after a crash: %1</source>
-        <translation>Die Sitzung kann nicht für den Fall eines Absturzes behalten werden: %1</translation>
+        <source>The session cannot be saved for recovery after a crash: %1</source>
+        <translation>Die Sitzung kann nicht zur Wiederherstellung nach einem Absturz gespeichert werden: %1</translation>
     </message>
 </context>
 <context>
@@ -8145,8 +8145,8 @@ Material: %2</translation>
         <translation>Esc</translation>
     </message>
     <message>
-        <source>End a tool, cancel what runs, bring a field&apos;s value back</source>
-        <translation>Ein Werkzeug beenden, Laufendes abbrechen, den Wert eines Felds zurückholen</translation>
+        <source>End a tool, cancel a run, restore a field&apos;s value</source>
+        <translation>Ein Werkzeug beenden, einen Lauf abbrechen, den Wert eines Felds wiederherstellen</translation>
     </message>
     <message>
         <source>Keys and mouse</source>
@@ -8522,16 +8522,16 @@ Material: %2</translation>
         <translation>Zuletzt geöffnet</translation>
     </message>
     <message>
-        <source>Enter opens a file, Delete takes it off the list</source>
-        <translation>Die Eingabetaste öffnet eine Datei, Entf nimmt sie von der Liste</translation>
+        <source>Enter opens a file, Delete removes it from the list</source>
+        <translation>Die Eingabetaste öffnet eine Datei, Entf entfernt sie von der Liste</translation>
     </message>
     <message>
         <source>Files that you open are listed here.</source>
         <translation>Dateien, die Sie öffnen, stehen hier.</translation>
     </message>
     <message>
-        <source>Take off the list</source>
-        <translation>Von der Liste nehmen</translation>
+        <source>Remove from the list</source>
+        <translation>Von der Liste entfernen</translation>
     </message>
     <message>
         <source>Forget this file; the file itself stays</source>
@@ -8546,8 +8546,8 @@ Material: %2</translation>
         <translation>Beispiel %1</translation>
     </message>
     <message>
-        <source>%1 (not there any more)</source>
-        <translation>%1 (nicht mehr da)</translation>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
     </message>
     <message>
         <source>Continue the last session: %1</source>
@@ -8648,8 +8648,8 @@ Material: %2</translation>
 <context>
     <name>footfall::ui::WindowClosing</name>
     <message>
-        <source>Closes when the file is written; close again to close at once</source>
-        <translation>Schließt, wenn die Datei geschrieben ist; noch einmal schließen schließt sofort</translation>
+        <source>Saving the file. Footfall closes when it is done; close again to close now</source>
+        <translation>Die Datei wird gespeichert. Danach schließt sich Footfall; erneutes Schließen schließt sofort</translation>
     </message>
     <message>
         <source>Not written yet</source>

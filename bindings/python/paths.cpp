@@ -161,7 +161,7 @@ for; None where nothing is walkable.)")
             if (!p.separation) return std::nullopt;
             return p.separation->links;
           },
-          R"(What keeps start and target apart: a list of `BorderLink` that leads from part to part, chosen so that the
+          R"(The obstacles between start and target: a list of `BorderLink` that leads from part to part, chosen so that the
 largest of them is least. None where nothing does, and on a mesh that knows no environment.)")
       .def_property_readonly(
           "other_ways",

@@ -65,8 +65,8 @@ class OneRank : public RankGroup {
 /// The message of a rank whose input differs from that of rank 0.
 inline Text differsFromFirst() {
   return Text(
-      FOOTFALL_TEXT("this rank works on something else than rank 0: another file of the environment, another "
-                    "pipeline or another version of the program; give all ranks the same"));
+      FOOTFALL_TEXT("this rank has other inputs than rank 0: another file of the environment, another pipeline or "
+                    "another version of the program; give all ranks the same"));
 }
 
 }  // namespace footfall::detail

@@ -195,7 +195,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   state->radiusMemory = std::move(memory);
   outcome.state = withLinks(state, *floors, false, context, outcome.fallbacks);
   if (state->mesh->triangles.empty())
-    outcome.note = FOOTFALL_TEXT("nothing is left: no place is so far from all borders");
+    outcome.note = FOOTFALL_TEXT("nothing is left: no place is far enough from all borders");
   return outcome;
 }
 

@@ -151,7 +151,7 @@ const std::vector<std::string>& foreignExtensions() {
 void failBeyondLimits(const std::string& path, std::string_view format, ChildEnd end, const ChildLimits& limits) {
   if (end == ChildEnd::Itself) return;
   const Pattern todo =
-      FOOTFALL_TEXT("export it again, or as OBJ; where it is in order, lift the limits (--no-import-limits)");
+      FOOTFALL_TEXT("export it again, or as OBJ; if the file is valid, switch the limits off (--no-import-limits)");
   if (end == ChildEnd::Time)
     failInput(path, 0,
               Text(FOOTFALL_TEXT("reading it as %1 took more than %2 seconds, far more than files of its size need"),
@@ -176,7 +176,7 @@ FileFrame readForeign(const std::string& path, Environment& environment, const C
   try {
     problem = decodeStream(result.output, environment, frame);
   } catch (const BadStream&) {
-    failInput(path, 0, Text(FOOTFALL_TEXT("the reader for %1 has ended before its time"), format),
+    failInput(path, 0, Text(FOOTFALL_TEXT("the reader for %1 ended too early"), format),
               FOOTFALL_TEXT("install Footfall again; where that does not help, convert the file to OBJ"));
   }
   if (problem) throw InputError(*problem);

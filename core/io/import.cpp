@@ -32,9 +32,9 @@ FileFrame readIfc(const std::string& path, Environment& environment, const Child
   try {
     return readForeign(path, environment, limits, context);
   } catch (const InputError& error) {
-    throw InputError(FOOTFALL_TEXT("%1; IFC files that are in order may need the converter that ifc.sh installs "
-                                   "(docs/how-to/buildings.md)"),
-                     error.text());
+    throw InputError(
+        FOOTFALL_TEXT("%1; valid IFC files may need the converter that ifc.sh installs (docs/how-to/buildings.md)"),
+        error.text());
   }
 }
 
@@ -142,7 +142,7 @@ Environment load(const std::string& path, const ImportOptions& options, RunConte
   Environment level = *applyPartRules(std::make_shared<const Environment>(std::move(whole)), {});
   level.edit = nullptr;
   if (level.triangles.empty())
-    failInput(path, 0, FOOTFALL_TEXT("nothing of it is a floor or an obstacle"),
+    failInput(path, 0, FOOTFALL_TEXT("it has no floors and no obstacles"),
               FOOTFALL_TEXT("choose a file that has walls, slabs or stairs"));
   return level;
 }

@@ -75,23 +75,23 @@ Problem problemOf(const fs::path& target, int error) {
     case EISDIR:
       return {FOOTFALL_TEXT("is a folder"), FOOTFALL_TEXT("give the name of a file in it")};
     case EROFS:
-      return {FOOTFALL_TEXT("cannot be written: its disk can only be read"), FOOTFALL_TEXT("choose another disk")};
+      return {FOOTFALL_TEXT("cannot be written: its disk is read-only"), FOOTFALL_TEXT("choose another disk")};
     case ENOSPC:
       return {FOOTFALL_TEXT("cannot be written: the disk is full"),
               FOOTFALL_TEXT("free some space or choose another disk")};
     case EDQUOT:
-      return {FOOTFALL_TEXT("cannot be written: your share of the disk is used up"),
+      return {FOOTFALL_TEXT("cannot be written: your disk quota is used up"),
               FOOTFALL_TEXT("free some space or choose another disk")};
     case EFBIG:
       return {FOOTFALL_TEXT("cannot be written: it is too large for this disk"), FOOTFALL_TEXT("choose another disk")};
     case ENAMETOOLONG:
       return {FOOTFALL_TEXT("cannot be written: its name or path is too long"), FOOTFALL_TEXT("shorten it")};
     case ELOOP:
-      return {FOOTFALL_TEXT("cannot be written: symbolic links lead round in a circle"),
+      return {FOOTFALL_TEXT("cannot be written: its symbolic links form a circle"),
               FOOTFALL_TEXT("remove the link or choose another name")};
     case EPIPE:
       return {FOOTFALL_TEXT("was closed by its reader before all was written"),
-              FOOTFALL_TEXT("look why it ended, and run this again")};
+              FOOTFALL_TEXT("check why it ended, and run this again")};
     case EMFILE:
     case ENFILE:
       return {FOOTFALL_TEXT("cannot be written: too many files are open"),
@@ -371,7 +371,7 @@ void ScratchFile::read(std::uint64_t offset, void* bytes, std::size_t size) cons
     const ssize_t count = ::pread(descriptor_, out, wanted, static_cast<off_t>(offset));
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0)
-      throw RunError(FOOTFALL_TEXT("%1: what was written beside it cannot be read (%2); check the disk"), path_,
+      throw RunError(FOOTFALL_TEXT("%1: the temporary file beside it cannot be read (%2); check the disk"), path_,
                      std::strerror(count < 0 ? errno : EIO));
     out += count;
     offset += static_cast<std::uint64_t>(count);

@@ -159,7 +159,7 @@ PlyHeader takePlyHeader(const std::string& path, std::string_view& text) {
   failInput(path, 0, FOOTFALL_TEXT("the file ends before the elements that its header announces"), kTruncated);
 }
 
-constexpr Pattern kNegativeList = FOOTFALL_TEXT("a list in the PLY file has fewer than no entries");
+constexpr Pattern kNegativeList = FOOTFALL_TEXT("a list in the PLY file has a negative length");
 
 std::size_t takeDigits(std::string_view& word) {
   const std::size_t count = std::min(word.find_first_not_of("0123456789"), word.size());
@@ -221,7 +221,7 @@ void checkAsciiPly(const std::string& path, const PlyHeader& header, std::string
       }
       if (!isText(line)) {
         failInput(path, number + 1,
-                  FOOTFALL_TEXT("the PLY file says that it is ASCII, but there are bytes in the line that are no text"),
+                  FOOTFALL_TEXT("the PLY file is declared as ASCII, but the line has bytes that are not text"),
                   kExportAgain);
       }
       if (text.empty()) {
@@ -283,7 +283,8 @@ void rejectTruncatedPly(const std::string& path, std::string_view text) {
   if (!header.complete) failInput(path, 0, FOOTFALL_TEXT("the PLY header has no end_header"), kTruncated);
   for (const PlyElement& element : header.elements) {
     if (isAssimpElement(element.name) || element.count == 0 || &element == &header.elements.back()) continue;
-    failInput(path, 0, Text(FOOTFALL_TEXT("nothing behind the unknown PLY elements '%1' can be read"), element.name),
+    failInput(path, 0,
+              Text(FOOTFALL_TEXT("the data behind the unknown PLY elements '%1' cannot be read"), element.name),
               FOOTFALL_TEXT("move them behind all others or export the file without them"));
   }
   header.ascii ? checkAsciiPly(path, header, text) : checkBinaryPly(path, header, text);

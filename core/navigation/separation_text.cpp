@@ -12,8 +12,7 @@ constexpr double kNothing = 1e-9;  // share of the larger of gap and step: the o
 Text openText(const BorderLink& link, const std::function<std::string(double)>& length, double allowed) {
   const double step = std::fabs(link.rise), none = step <= allowed ? 0 : kNothing * std::max(link.gap, step);
   const bool isUp = link.rise > 0;
-  if (step <= none && link.gap <= none)
-    return FOOTFALL_TEXT("an obstacle edge, on which nothing stands that could be seen");
+  if (step <= none && link.gap <= none) return FOOTFALL_TEXT("an obstacle edge without a visible wall");
   if (step <= none) return Text(FOOTFALL_TEXT("a gap of %1"), length(link.gap));
   if (link.gap <= none)
     return isUp ? Text(FOOTFALL_TEXT("a step of %1 up"), length(step))
@@ -30,14 +29,14 @@ Text barrierText(const BorderLink& link, const std::function<std::string(double)
     case LinkKind::Open:
       return openText(link, length, step);
     case LinkKind::Obstacle:
-      return Text(FOOTFALL_TEXT("something %1 high to climb over"), length(link.obstacle));
+      return Text(FOOTFALL_TEXT("an obstacle of %1 to climb over"), length(link.obstacle));
     case LinkKind::LowCeiling:
       return Text(FOOTFALL_TEXT("a place with only %1 of free height"), length(link.headroom));
     case LinkKind::Wall:
       return isApart ? Text(FOOTFALL_TEXT("a wall; the parts are %1 apart"), length(link.gap))
                      : Text(FOOTFALL_TEXT("an obstacle edge: a wall without thickness"));
     case LinkKind::Touch:
-      return FOOTFALL_TEXT("the parts only touch in a point, through which nobody fits");
+      return FOOTFALL_TEXT("the parts only touch in a point, which is too narrow for an agent");
   }
   return {};
 }

@@ -102,9 +102,10 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
         break;
       case FilterKind::Filter:
         if (opened && step.filter->scope == Scope::Global) {
-          return StructureError{i, Text(FOOTFALL_TEXT("%1 sees across cells and cannot run inside %2; move it behind "
-                                                      "Collapse or before the block"),
-                                        name, blockText())};
+          return StructureError{
+              i, Text(FOOTFALL_TEXT(
+                          "%1 needs all cells and cannot run inside %2; move it behind Collapse or before the block"),
+                      name, blockText())};
         }
         break;
     }

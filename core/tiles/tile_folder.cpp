@@ -100,8 +100,9 @@ void TileFolder::take(std::size_t number, const std::string& written) {
   fs::create_hard_link(pathOf(entry.file), pathOf(file), error);
   if (error) fs::rename(pathOf(entry.file), pathOf(file), error);
   if (error)
-    throw RunError(FOOTFALL_TEXT("%1: cannot be renamed: %2; look who else writes into the folder, and run it again"),
-                   pathOf(entry.file), error.message());
+    throw RunError(
+        FOOTFALL_TEXT("%1: cannot be renamed: %2; check which other program writes into the folder, and run again"),
+        pathOf(entry.file), error.message());
   entry.file = file;
   if (number < entries_.size()) {
     entries_[number] = std::move(entry);

@@ -103,7 +103,7 @@ void activateAgent(Document& document, int id) {
   next.agent = id;
   const NamedAgent* agent = activeAgent(next);
   applyAgent(next, [&document] { return document.newFilterId(); });
-  const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Let go of the agent");
+  const QString text = agent ? tr("Switch to agent %1").arg(nameOf(*agent)) : tr("Deactivate the agent");
   document.edit(std::move(next), text, QStringLiteral("agent"));
 }
 

@@ -162,18 +162,18 @@ QVariant AgentModel::headerData(int section, Qt::Orientation orientation, int ro
       return tr("The steepest ground that the agent can walk on");
     case Step:
       return tr(
-          "How high the agent climbs at once, on stairs and kerbs: the step of the filters. With 0 there is no "
+          "The highest step that the agent climbs, such as a stair or a kerb: the step of the filters. 0 means no "
           "filter for steps");
     case Gap:
-      return tr("How wide a gap the agent steps over, seen from above: the gap of the filters for steps");
+      return tr("The widest gap that the agent steps over, seen from above: the gap of the filters for steps");
     case Radius:
       return tr(
-          "How far the agent's middle stays away from walls and ledges: the radius of the filters. With 0 there is no "
+          "The distance that the agent's middle keeps from walls and ledges: the radius of the filters. 0 means no "
           "filter for it");
     case Drop:
       return tr(
-          "How deep the agent drops from ledges, one way: the depth of the filters. With 0 there is no filter for "
-          "drops");
+          "The deepest drop that the agent takes from a ledge, one way: the depth of the filters. 0 means no filter "
+          "for drops");
     case ComponentCount:
       return tr("Parts of the walkable area that an agent cannot leave");
     case Connections:

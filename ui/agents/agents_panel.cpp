@@ -125,7 +125,7 @@ void AgentsPanel::createButtons(QLayout* layout) {
   duplicate_ = button("duplicateAgent", tr("Duplicate"), tr("Copy the active agent"), QStringLiteral("duplicate"));
   remove_ = button("removeAgent", tr("Remove"), tr("Remove the active agent; the filters stay as they are"),
                    QStringLiteral("remove"));
-  letGo_ = button("noAgent", tr("None"), tr("Let go of the active agent: the filters stay as they are (Alt+0)"),
+  letGo_ = button("noAgent", tr("None"), tr("Deactivate the agent; the filters keep their values (Alt+0)"),
                   QStringLiteral("cancel"));
   compute_ = button("computeAgents", tr("Compute all"),
                     tr("Compute the results of all agents in the background, to switch and to compare at once"),

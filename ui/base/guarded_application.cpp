@@ -20,8 +20,7 @@ bool GuardedApplication::notify(QObject* receiver, QEvent* event) {
   } catch (const std::exception& error) {
     report(errorText(error));
   } catch (...) {
-    report(
-        tr("something went wrong that gave no reason; save your session under another name and start Footfall anew"));
+    report(tr("an unknown error occurred; save your session under another name and restart Footfall"));
   }
   return true;
 }
@@ -41,7 +40,7 @@ void GuardedApplication::report(const QString& message) noexcept {
 QString errorText(const std::exception& error) {
   if (dynamic_cast<const std::bad_alloc*>(&error)) {
     return GuardedApplication::tr(
-        "memory ran out; what was there is still there. Close other programs, or open a smaller environment");
+        "memory ran out; nothing was lost. Close other programs, or open a smaller environment");
   }
   const QString text = coreText(error);
   return dynamic_cast<const TextError*>(&error)

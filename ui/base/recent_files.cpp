@@ -39,7 +39,7 @@ void RecentFiles::attachTo(QMenu* menu) {
       const QFileInfo file(path);
       QString name = file.fileName();
       name.replace(QLatin1Char('&'), QLatin1String("&&"));
-      QAction* action = menu->addAction(file.exists() ? name : tr("%1 (not there any more)").arg(name));
+      QAction* action = menu->addAction(file.exists() ? name : tr("%1 (missing)").arg(name));
       action->setEnabled(file.exists());
       action->setToolTip(path);
       connect(action, &QAction::triggered, this, [this, path] { emit chosen(path); });

@@ -27,7 +27,7 @@ std::vector<std::pair<QString, QString>> mouseRows() {
       {ShortcutWindow::tr("Up, Down"), ShortcutWindow::tr("Change the value of a field by a small step")},
       {ShortcutWindow::tr("Tab, Shift+Tab"), ShortcutWindow::tr("Next and previous control")},
       {ShortcutWindow::tr("F10, Alt"), ShortcutWindow::tr("The menus")},
-      {ShortcutWindow::tr("Esc"), ShortcutWindow::tr("End a tool, cancel what runs, bring a field's value back")},
+      {ShortcutWindow::tr("Esc"), ShortcutWindow::tr("End a tool, cancel a run, restore a field's value")},
   };
 }
 

@@ -132,7 +132,7 @@ void BusyPlot::mouseMoveEvent(QMouseEvent* event) {
 PhasePlot::PhasePlot(QWidget* parent) : QCustomPlot(parent) {
   setFocusPolicy(Qt::NoFocus);  // the plot has no keyboard actions
   setObjectName(QStringLiteral("phasePlot"));
-  setAccessibleName(tr("Where the time of the run went"));
+  setAccessibleName(tr("How the time of the run was used"));
   setFixedHeight(22);
   calm(*this);
   for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(false);

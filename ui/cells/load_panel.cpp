@@ -60,7 +60,7 @@ void LoadPanel::makeThreadBox(RunThreads& threads) {
   threadBox_ = new QComboBox(this);
   threadBox_->setObjectName(QStringLiteral("threads"));
   threadBox_->setAccessibleName(tr("Threads of a run"));
-  threadBox_->setToolTip(tr("So many threads at most compute a run; the result is the same"));
+  threadBox_->setToolTip(tr("The largest number of threads of a run; the result does not depend on it"));
   std::vector<int> choices = threadChoices(processorCount());
   choices.back() = 0;
   for (const int n : choices) threadBox_->addItem(threadsText(n), n);
@@ -82,7 +82,7 @@ void LoadPanel::makePlaceBox(RunPlaces& places) {
   placeBox_ = new QComboBox(this);
   placeBox_->setObjectName(QStringLiteral("runOn"));
   placeBox_->setAccessibleName(tr("Run on"));
-  placeBox_->setToolTip(tr("What computes the cells of a run; the result is the same"));
+  placeBox_->setToolTip(tr("Where the cells of a run are computed; the result does not depend on it"));
   for (const Kind kind : {Kind::ThisProcess, Kind::Processes, Kind::Hosts, Kind::Slurm})
     placeBox_->addItem(kind == Kind::ThisProcess ? placeText(kind) : placeText(kind) + QStringLiteral("..."),
                        static_cast<int>(kind));
@@ -194,7 +194,7 @@ QWidget* LoadPanel::makeFigures() {
   busy_->setMinimumWidth(kPlotWidth);  // a part of the width: the texts may need more
   use_ = new PhasePlot(this);
   use_->setObjectName(QStringLiteral("usePlot"));
-  use_->setAccessibleName(tr("Where the time of all threads went"));
+  use_->setAccessibleName(tr("How the time of all threads was used"));
   useTexts_ = label();
   page(tr("Threads"), {figures_, busy_, use_, useTexts_}, busy_);
   histogram_ = new HistogramPlot(this);
@@ -334,7 +334,7 @@ void LoadPanel::showFilters() {
     filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
   } else {
     filters_->setText(timeline_->timeline().planned
-                          ? tr("Nothing has run: the cells by estimated cost, each for the thread that is free first.")
+                          ? tr("Before a run: the cells by estimated cost, each on the first free thread.")
                           : tr("The lanes of the threads fill when cells run."));
   }
 }

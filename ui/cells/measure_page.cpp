@@ -71,7 +71,7 @@ MeasurePage::MeasurePage(LoadMeasurement& measurement, QWidget* parent) : QWidge
   count_->setValue(kUsualRuns);
   count_->setSuffix(tr(" runs"));
   count_->setAccessibleName(tr("How many runs"));
-  count_->setToolTip(tr("So many runs, one after the other"));
+  count_->setToolTip(tr("The number of runs, one after the other"));
   button_ = new QPushButton(this);
   giveKeysBackAfterClick(*button_);
   state_ = new QLabel(this);
@@ -124,7 +124,7 @@ void MeasurePage::showProgress(int done, int all) {
 
 void MeasurePage::showTable() {
   button_->setText(tr("Measure again"));
-  button_->setToolTip(tr("Run the whole pipeline anew, several times, and take nothing from caches"));
+  button_->setToolTip(tr("Run the whole pipeline several times, without caches"));
   button_->setEnabled(obstacle_.isEmpty());
   count_->setEnabled(obstacle_.isEmpty());
   table_->setText(measurementTable(measurement_.runs()));

@@ -29,13 +29,13 @@ RunPlaceDialog::RunPlaceDialog(const RunPlace& place, QWidget* parent) : QDialog
   if (kind_ == Kind::Hosts) hostFile_ = addPath(tr("Host file:"), place.hostFile, false);
   if (kind_ == Kind::Slurm) {
     partition_ = new QLineEdit(QString::fromStdString(place.partition), this);
-    partition_->setPlaceholderText(tr("Slurm's usual one"));
+    partition_->setPlaceholderText(tr("Slurm's default"));
     form->addRow(tr("Partition:"), partition_);
   }
   if (kind_ != Kind::Processes) {
-    folder_ = addPath(tr("Folder that all machines see:"),
+    folder_ = addPath(tr("Folder that all machines share:"),
                       place.folder.empty() ? QDir::homePath().toStdString() : place.folder, true);
-    folder_->setToolTip(tr("Jobs are left there while they run, and removed in the end"));
+    folder_->setToolTip(tr("Jobs stay there while they run, and are removed at the end"));
   }
   problem_ = new QLabel(this);
   problem_->setWordWrap(true);
@@ -72,7 +72,7 @@ QLineEdit* RunPlaceDialog::addPath(const QString& name, const std::string& path,
 void RunPlaceDialog::check() {
   QString problem = coreText(problemOf(place(), runPrograms()));
   if (problem.isEmpty() && folder_ != nullptr && !QFileInfo(folder_->text()).isDir())
-    problem = tr("%1 is no folder; name one that all machines see").arg(folder_->text());
+    problem = tr("%1 is not a folder; give one that all machines share").arg(folder_->text());
   problem_->setText(problem);
   buttons_->button(QDialogButtonBox::Ok)->setEnabled(problem.isEmpty());
 }

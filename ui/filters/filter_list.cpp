@@ -65,11 +65,11 @@ void FilterList::createHead(QVBoxLayout* layout) {
                 tr("Add a filter behind the selected one, or at the end of the list"), menu);
   presets_ = new PresetsMenu(document_, PresetStore::ofUser(), this);
   auto* presets =
-      button(QStringLiteral("presets"), tr("Presets"), tr("Take a pipeline by its name, or keep this one"), presets_);
+      button(QStringLiteral("presets"), tr("Presets"), tr("Load a saved pipeline, or save this one"), presets_);
   automatic_ = new QCheckBox(tr("Run automatically"), this);
   automatic_->setObjectName(QStringLiteral("runAutomatically"));
   automatic_->setToolTip(
-      tr("On: each edit runs at once, or when you stop where runs take long. Off: press F5 to run."));
+      tr("On: every edit starts a run; if runs take long, the run starts when you pause. Off: press F5 to run."));
   automatic_->setChecked(controller_.automatic());
   connect(automatic_, &QCheckBox::toggled, &controller_, &RunController::setAutomatic);
   connect(&controller_, &RunController::automaticChanged, automatic_, &QCheckBox::setChecked);

@@ -58,7 +58,7 @@ QString whyNotAt(const Pipeline& pipeline, std::size_t index, const FilterDescri
   if (filter.kind == FilterKind::Strategy) return inBlock ? tr("already inside a parallel block") : QString();
   if (filter.kind == FilterKind::Collapse && !inBlock) return tr("no parallel block to end here");
   if (filter.kind == FilterKind::Filter && filter.scope == Scope::Global && inBlock)
-    return tr("not inside a parallel block: it sees across cells");
+    return tr("not inside a parallel block: it needs all cells");
   const Pipeline next = withInserted(pipeline, index, {defaultStep(filter, metresPerUnit)});
   if (!withoutSkipped(next).steps[std::min(index, pipeline.steps.size())].enabled)
     return tr("needs Vertical clearance before it");

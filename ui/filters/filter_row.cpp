@@ -271,7 +271,8 @@ void FilterRow::addGroups(QVBoxLayout* layout, std::size_t values) {
   place_ = new QToolButton(groups_);
   place_->setObjectName(QStringLiteral("placeSeeds"));
   place_->setText(tr("Place seeds"));
-  place_->setToolTip(tr("Click places in the view from where agents start; what they cannot reach goes"));
+  place_->setToolTip(
+      tr("Click the places in the view where agents start; everything that they cannot reach is removed"));
   place_->setCheckable(true);
   connect(place_, &QToolButton::clicked, this, [this](bool on) { emit placingRequested(id_, on); });
   grid->addWidget(place_, end + 1, 0, 1, last + 1, Qt::AlignLeft);

@@ -68,13 +68,14 @@ void addHistory(const FeatureHost& host, Document& document) {
 
 void addAgents(const FeatureHost& host, Document& document, RunController& controller) {
   auto* panel = new AgentsPanel(document, controller);
-  host.panels.add({.id = QStringLiteral("panel.agents"),
-                   .title = tr("Agents"),
-                   .help = tr("Who is to walk: heights and slopes that the filters follow, and what each can reach"),
-                   .keys = {QKeySequence(Qt::Key_G)},
-                   .icon = QStringLiteral("agent"),
-                   .area = Qt::BottomDockWidgetArea},
-                  panel);
+  host.panels.add(
+      {.id = QStringLiteral("panel.agents"),
+       .title = tr("Agents"),
+       .help = tr("The agents of the level: their sizes set the filters, and a table compares what each can reach"),
+       .keys = {QKeySequence(Qt::Key_G)},
+       .icon = QStringLiteral("agent"),
+       .area = Qt::BottomDockWidgetArea},
+      panel);
   QObject::connect(panel, &AgentsPanel::failed, &host.messages, &MessageBar::showError);
   const auto takeUnits = [&units = host.units, panel] { panel->setUnits(units.units()); };
   QObject::connect(&host.units, &UnitChoice::changed, panel, takeUnits);
@@ -87,7 +88,7 @@ void addAgents(const FeatureHost& host, Document& document, RunController& contr
                                    .menu = CommandMenu::Tools,
                                    .group = group,
                                    .text = tr("Agent %1").arg(i + 1),
-                                   .help = tr("Give the filters this agent's sizes"),
+                                   .help = tr("Set the filters to this agent's sizes"),
                                    .keys = {QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_1 + i))}},
                                   [panel, i](bool) { panel->activate(i); });
   }
@@ -95,7 +96,7 @@ void addAgents(const FeatureHost& host, Document& document, RunController& contr
                                      .menu = CommandMenu::Tools,
                                      .group = group,
                                      .text = tr("&No agent"),
-                                     .help = tr("Let go of the active agent; the filters stay as they are"),
+                                     .help = tr("Deactivate the agent; the filters keep their values"),
                                      .keys = {QKeySequence(Qt::ALT | Qt::Key_0)}},
                                     [panel](bool) { panel->letGo(); });
   QAction* all = host.commands.add({.id = QStringLiteral("agent.all"),

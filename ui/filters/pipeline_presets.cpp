@@ -27,7 +27,7 @@ const std::vector<BuiltInPreset>& builtInPresets() {
     return QStringLiteral(":/resources/pipelines/") + QLatin1String(name);
   };
   static const std::vector<BuiltInPreset> presets = {
-      {tr("Sequential"), tr("What a new environment starts with"), path("default.pipeline"), true},
+      {tr("Sequential"), tr("The filters of a new environment"), path("default.pipeline"), true},
       {tr("Parallel"), tr("The same result, with the clearance in cells on all threads"), path("parallel.pipeline"),
        true},
       {tr("Thesis, sequential"), tr("As in the thesis's experiments (5.4), in the units of its environments"),
@@ -75,7 +75,7 @@ void PresetStore::rename(const QString& from, const QString& to) const {
   const QString wrong = problemOf(to);
   if (!wrong.isEmpty()) throw InputError(wrong.toStdString());
   if (QFileInfo::exists(pathOf(to)))
-    throw InputError(tr("a preset '%1' is there already; choose another name").arg(to).toStdString());
+    throw InputError(tr("a preset named '%1' already exists; choose another name").arg(to).toStdString());
   if (!QFile::rename(pathOf(from), pathOf(to)))
     throw InputError(tr("%1: cannot be renamed; check the folder").arg(pathOf(from)).toStdString());
 }

@@ -14,7 +14,7 @@ SeedFeature::SeedFeature(const FeatureHost& host, LevelView& view, Document& doc
                            CommandMenu::Tools,
                            QStringLiteral("tools"),
                            tr("&Place seeds"),
-                           tr("Click places from where agents start; what they cannot reach goes"),
+                           tr("Click the places where agents start; everything that they cannot reach is removed"),
                            {QKeySequence(Qt::SHIFT | Qt::Key_S)},
                            QStringLiteral("seeds")},
                           &tool_);

@@ -31,14 +31,15 @@ CompareFeature::CompareFeature(const FeatureHost& host, LevelView& view, ViewLay
       watch_(new CompareWatch(this)),
       panel_(new ComparePanel) {
   setObjectName(QStringLiteral("compare"));
-  dock_ = host.panels.add({QStringLiteral("panel.compare"),
-                           tr("Compare"),
-                           tr("Show what appeared and what went since the last edit, or beside a saved result"),
-                           {},
-                           {},
-                           Qt::RightDockWidgetArea,
-                           false},
-                          panel_);
+  dock_ = host.panels.add(
+      {QStringLiteral("panel.compare"),
+       tr("Compare"),
+       tr("Show what appeared and what disappeared since the last edit, or compared with a saved result"),
+       {},
+       {},
+       Qt::RightDockWidgetArea,
+       false},
+      panel_);
   addCommands(host.commands);
   connect(panel_, &ComparePanel::chosen, this, &CompareFeature::choose);
   connect(panel_, &ComparePanel::distanceToggled, watch_, &CompareWatch::setDistancesWanted);
@@ -68,25 +69,24 @@ CompareFeature::CompareFeature(const FeatureHost& host, LevelView& view, ViewLay
 }
 
 void CompareFeature::addCommands(CommandRegistry& commands) {
-  lastEdit_ =
-      commands.add({QStringLiteral("view.compareEdit"),
-                    CommandMenu::View,
-                    QStringLiteral("compare"),
-                    tr("Compare with the Last Edit"),
-                    tr("Show over the view what the last edit has made walkable, and what is not walkable any more"),
-                    {},
-                    {},
-                    true},
-                   [this](bool on) {
-                     if (on) {
-                       choose(ComparePanel::LastEdit);
-                     } else if (watch_->with() == CompareWith::LastEdit) {
-                       choose(ComparePanel::Nothing);
-                     }
-                   });
+  lastEdit_ = commands.add({QStringLiteral("view.compareEdit"),
+                            CommandMenu::View,
+                            QStringLiteral("compare"),
+                            tr("Compare with the Last Edit"),
+                            tr("Show in the view what the last edit made walkable, and what is no longer walkable"),
+                            {},
+                            {},
+                            true},
+                           [this](bool on) {
+                             if (on) {
+                               choose(ComparePanel::LastEdit);
+                             } else if (watch_->with() == CompareWith::LastEdit) {
+                               choose(ComparePanel::Nothing);
+                             }
+                           });
   commands.add({QStringLiteral("view.compareSaved"), CommandMenu::View, QStringLiteral("compare"),
                 tr("Compare with a Saved Result…"),
-                tr("Show over the view what an exported result, or another tool's mesh, has not or has")},
+                tr("Show in the view how an exported result, or another tool's mesh, differs")},
                [this](bool) { chooseFile(); });
 }
 
@@ -161,7 +161,7 @@ void CompareFeature::show() {
     panel_->showNote(with == CompareWith::Nothing ? tr("Choose what to compare the result with.")
                      : !controller_.finishedRun()
                          ? tr("There is no result yet; the comparison follows when a run has finished.")
-                         : tr("Nothing was edited yet; after the next edit, what it changed is shown."));
+                         : tr("There is no edit yet; the changes of the next edit will be shown here."));
   }
   draw();
 }

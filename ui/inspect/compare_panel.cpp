@@ -44,7 +44,7 @@ QString appearedText(const SurfaceDifference& difference, const CompareWriter& w
 }
 
 QString wentText(const SurfaceDifference& difference, const CompareWriter& write) {
-  return ComparePanel::tr("Went: %1").arg(partText(difference.hasArea[0], difference.areas[0].surface, write));
+  return ComparePanel::tr("Disappeared: %1").arg(partText(difference.hasArea[0], difference.areas[0].surface, write));
 }
 
 ComparePanel::ComparePanel(QWidget* parent)
@@ -64,7 +64,7 @@ ComparePanel::ComparePanel(QWidget* parent)
   form->addRow(tr("Compare &with"), choice_);
   distance_->setObjectName(QStringLiteral("compareDistance"));
   distance_->setToolTip(
-      tr("Colour the result by how far its vertices are from the other one: red is nothing, blue the largest"));
+      tr("Colour the result by the distance of its vertices from the other one: red is zero, blue the largest"));
   summary_->setObjectName(QStringLiteral("compareSummary"));
   summary_->setTextFormat(Qt::PlainText);
   summary_->setWordWrap(true);
@@ -111,7 +111,7 @@ void ComparePanel::showDifference(const SurfaceDifference& difference, const Com
     const DifferentRegion& region = difference.regions[static_cast<std::size_t>(row)];
     const bool appeared = region.mesh == 1;
     auto* what = new QTableWidgetItem(swatchOf(appeared ? appearedColour() : wentColour()),
-                                      appeared ? tr("appeared") : tr("went"));
+                                      appeared ? tr("appeared") : tr("disappeared"));
     auto* area = new QTableWidgetItem(write.area(region.area));
     area->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
     table_->setItem(row, What, what);

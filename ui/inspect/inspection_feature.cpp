@@ -64,7 +64,7 @@ void InspectionFeature::createWhy(const FeatureHost& host, RunController& contro
   why_ = new WhyPanel;
   whyDock_ = host.panels.add({QStringLiteral("inspect.whyPanel"),
                               tr("Why?"),
-                              tr("Show why the last place that was asked for is walkable or not"),
+                              tr("Show why the last clicked place is walkable or not"),
                               {},
                               QStringLiteral("why")},
                              why_);

@@ -41,10 +41,10 @@ MeasurePanel::MeasurePanel(MeasureTool& tool, QWidget* parent) : QWidget(parent)
     return button;
   };
   copy_ = add(QStringLiteral("measureCopy"), tr("Copy"), tr("Copy places and measures as a table"));
-  back_ = add(QStringLiteral("measureBack"), tr("Remove last"), tr("Take the last place back"));
+  back_ = add(QStringLiteral("measureBack"), tr("Remove last"), tr("Remove the last place"));
   scale_ = add(QStringLiteral("measureScale"), tr("Set scale..."),
-               tr("Type how long the last piece is in metres; the scale of the level follows"));
-  clear_ = add(QStringLiteral("measureClear"), tr("Clear"), tr("Take all places away"));
+               tr("Enter the length of the last piece in metres, to set the scale of the level"));
+  clear_ = add(QStringLiteral("measureClear"), tr("Clear"), tr("Remove all places"));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);
   layout->setSpacing(6);

@@ -117,7 +117,7 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       text = tr("Agents stay %1 away from walls.").arg(units.length(told.limit));
       break;
     case PlaceVerdict::TooNearLedge:
-      text = tr("Agents stay %1 away from ledges: drops and ends of the world.").arg(units.length(told.limit));
+      text = tr("Agents stay %1 away from ledges: drops and the ends of the level.").arg(units.length(told.limit));
       break;
   }
   if (told.floor)

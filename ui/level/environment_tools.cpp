@@ -97,12 +97,12 @@ void EnvironmentTools::createWatch(ImportPanel& import) {
   });
   connect(&watch_, &FileWatch::changed, this, &EnvironmentTools::reread);
   connect(&watch_, &FileWatch::vanished, this, [this] {
-    messages_.showHint(tr("%1 is gone from the disk; the result stays, and the file is read again when it comes back")
-                           .arg(fileName()));
+    messages_.showHint(
+        tr("%1 was deleted; the result stays, and the file is read again once it exists").arg(fileName()));
   });
   connect(&watch_, &FileWatch::givenUp, this, [this](const QString& message) {
     if (message.isEmpty()) return;
-    messages_.showError(tr("%1 changed on disk, but %2; what was read before stays").arg(fileName(), message));
+    messages_.showError(tr("%1 changed on disk, but %2; the earlier version stays loaded").arg(fileName(), message));
   });
   connect(&file_, &LevelFile::rereadDone, this, [this] {
     rereading_ = false;

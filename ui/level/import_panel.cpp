@@ -52,7 +52,7 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   bothSides_ = new QCheckBox(tr("Both sides count as up"), this);
   bothSides_->setObjectName(QStringLiteral("bothSides"));
   bothSides_->setToolTip(
-      tr("For files whose triangles face the wrong way: whatever faces down is taken as facing up."));
+      tr("For files whose triangles face the wrong way: triangles that face down also count as facing up."));
   watch_ = new QCheckBox(tr("Watch the file"), this);
   watch_->setObjectName(QStringLiteral("watchFile"));
   watch_->setToolTip(
@@ -107,8 +107,8 @@ QWidget* ImportPanel::makeQuestion() {
   question_->setObjectName(QStringLiteral("scaleQuestion"));
   question_->setWordWrap(true);
   question_->setToolTip(
-      tr("The file does not say what its unit is. Once the scale is known, all lengths are shown and typed in metres "
-         "(or as View > Lengths in says)."));
+      tr("The file does not state its unit. Once the scale is known, all lengths are shown and typed in metres (or in "
+         "the unit of View > Lengths in)."));
   yes_ = new QPushButton(tr("Yes"), questionRow_);
   yes_->setObjectName(QStringLiteral("confirmScale"));
   no_ = new QPushButton(questionRow_);

@@ -138,19 +138,19 @@ void LevelLook::addCutPlane(CommandRegistry& commands) {
 }
 
 void LevelLook::addInside(CommandRegistry& commands) {
-  inside_ = commands.add(
-      {QStringLiteral("view.inside"),
-       CommandMenu::View,
-       QStringLiteral("floors"),
-       tr("Look &inside"),
-       tr("Leave out faces seen from behind, and roofs and outer walls while one looks down, to see the floors inside"),
-       {QKeySequence(Qt::SHIFT | Qt::Key_I)},
-       {},
-       true},
-      [this](bool on) {
-        view_.setInside(on);
-        emit sections_.changed();
-      });
+  inside_ = commands.add({QStringLiteral("view.inside"),
+                          CommandMenu::View,
+                          QStringLiteral("floors"),
+                          tr("Look &inside"),
+                          tr("Hide faces seen from behind, and roofs and outer walls while the camera looks down, to "
+                             "show the floors inside"),
+                          {QKeySequence(Qt::SHIFT | Qt::Key_I)},
+                          {},
+                          true},
+                         [this](bool on) {
+                           view_.setInside(on);
+                           emit sections_.changed();
+                         });
   inside_->setChecked(true);
   // Where roofs have been hidden, a hint explains it, and how to show a single storey.
   connect(&file_, &LevelFile::opened, this, [this] {

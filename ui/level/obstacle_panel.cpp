@@ -84,7 +84,7 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   name_ = new QLineEdit(form_);
   name_->setObjectName(QStringLiteral("obstacleName"));
   name_->setAccessibleName(tr("Name of the obstacle"));
-  name_->setToolTip(tr("What it is called in this list, in undo and in exports"));
+  name_->setToolTip(tr("Its name in this list, in undo and in exports"));
   grid->addWidget(new QLabel(tr("Name"), form_), 0, 0);
   grid->addWidget(name_, 0, 1, 1, 3);
   const std::array<QString, kFields> names{tr("Base x"), tr("Base y"), tr("Base z"), tr("Length"),
@@ -127,7 +127,8 @@ ObstaclePanel::ObstaclePanel(ObstacleEditor& editor, QWidget* parent) : QWidget(
   stick_ = new QCheckBox(tr("Stick to the ground"), this);
   stick_->setObjectName(QStringLiteral("stickObstacles"));
   stick_->setChecked(true);
-  stick_->setToolTip(tr("What is moved sideways follows the ground: up to a metre up, and down as far as it goes"));
+  stick_->setToolTip(
+      tr("Obstacles that are moved sideways follow the ground: up to a metre up, and down to any depth"));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);

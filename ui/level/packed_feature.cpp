@@ -57,18 +57,18 @@ double seenAround(LevelView& view, const Vec3& place) {
 PackedFeature::PackedFeature(const FeatureHost& host, QStatusBar& bar, LevelView& view, LevelFile& file)
     : QObject(&host.window), view_(view), file_(file), messages_(host.messages), note_(host.status) {
   setObjectName(QStringLiteral("packed"));
-  runHere_ = host.commands.add({QStringLiteral("pipeline.runHere"),
-                                CommandMenu::Pipeline,
-                                QStringLiteral("runs"),
-                                tr("Run on &what is looked at"),
-                                tr("Of an environment that is too large to run on: make the part in the middle of the "
-                                   "view the one that filters run on"),
-                                {QKeySequence(Qt::SHIFT | Qt::Key_F5)}},
-                               [this](bool) { runHere(); });
+  runHere_ = host.commands.add(
+      {QStringLiteral("pipeline.runHere"),
+       CommandMenu::Pipeline,
+       QStringLiteral("runs"),
+       tr("Run on the &visible part"),
+       tr("Run the filters on the part in the middle of the view, in an environment that is too large to run whole"),
+       {QKeySequence(Qt::SHIFT | Qt::Key_F5)}},
+      [this](bool) { runHere(); });
   runHere_->setEnabled(false);
   status_ = new QLabel(&bar);
   status_->setObjectName(QStringLiteral("blocks"));
-  status_->setToolTip(tr("What the view shows in full of an environment that is too large to be loaded"));
+  status_->setToolTip(tr("The parts of a large environment that the view shows in full"));
   status_->hide();
   bar.addPermanentWidget(status_);
   settling_.setSingleShot(true);
@@ -115,14 +115,14 @@ void PackedFeature::follow(Reading reading) {
   if (part_->isSmaller)
     note_.say(
         StatusSubject::Note,
-        tr("What is looked at has more than %1 triangles: the part is smaller.").arg(countText(part_->limits.part)));
+        tr("The visible place has more than %1 triangles; the part is smaller.").arg(countText(part_->limits.part)));
 }
 
 void PackedFeature::tellOfPart() {
   messages_.showHint(tr("%1 has %2 million triangles. The view shows them coarse, and in full where you look; filters "
                         "run on the part in the frame. All of it: footfall run --memory.")
                          .arg(QFileInfo(file_.path()).fileName(), millions(part_->environment->faceCount())),
-                     tr("Run on what is looked at"), [this] { runHere(); });
+                     tr("Run on the visible part"), [this] { runHere(); });
   messages_.setSubject(MessageSubject::Opening);
 }
 

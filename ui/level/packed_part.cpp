@@ -237,13 +237,13 @@ OpenedPart openPart(std::shared_ptr<const PackedEnvironment> environment, const 
                      : fitted(*environment, middlePlace(*environment, bounds), most);
   const std::optional<PartPlace> place = placeWithin(*environment, part.place, most, context);
   if (!place)
-    throw InputError(FOOTFALL_TEXT("%1: more than %2 triangles stand over one place; footfall run --memory takes them"),
+    throw InputError(FOOTFALL_TEXT("%1: more than %2 triangles lie above one place; use footfall run --memory"),
                      environment->head().source, most);
   part.place = *place;
   part.isSmaller = asked && part.place.half < asked->half;
   PackedFaces faces = facesAt(*environment, part.place, context);
   if (faces.soup.triangles.empty())
-    throw InputError(FOOTFALL_TEXT("%1: nothing stands at that place; look at another one"),
+    throw InputError(FOOTFALL_TEXT("%1: there are no triangles at that place; choose another one"),
                      environment->head().source);
   opened.environment = environment->head();
   opened.environment.vertices = std::move(faces.soup.vertices);

@@ -131,7 +131,7 @@ void PartPanel::createActions() {
       Qt::Key_1);
   add("roleObstacle", tr("Obstacle only"), tr("Nobody walks on selected parts, but they still stand in the way"),
       PartRole::ObstacleOnly, Qt::Key_2);
-  add("roleIgnored", tr("Ignore"), tr("Selected parts are left out, as if the file had none of them"),
+  add("roleIgnored", tr("Ignore"), tr("Selected parts are left out, as if the file did not have them"),
       PartRole::Ignored, Qt::Key_3);
   auto* separator = new QAction(this);
   separator->setSeparator(true);

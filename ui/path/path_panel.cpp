@@ -63,10 +63,9 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   frame_->setText(units_.frameText());
 
   auto* buttons = new FlowLayout(6);
-  swap_ =
-      addButton(buttons, QStringLiteral("pathSwap"), tr("Swap"), tr("Start where it ends, and the other way round"));
+  swap_ = addButton(buttons, QStringLiteral("pathSwap"), tr("Swap"), tr("Swap start and target"));
   copy_ = addButton(buttons, QStringLiteral("pathCopy"), tr("Copy"), tr("Copy places and figures as text"));
-  clear_ = addButton(buttons, QStringLiteral("pathClear"), tr("Clear"), tr("Take both places away"));
+  clear_ = addButton(buttons, QStringLiteral("pathClear"), tr("Clear"), tr("Remove both places"));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);

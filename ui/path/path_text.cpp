@@ -33,20 +33,21 @@ QString failureText(const PathResult& result, const LevelUnits& units) {
     case PathStatus::NothingWalkable:
       return PathText::tr("Nothing is walkable here.");
     case PathStatus::StartNotWalkable:
-      return PathText::tr("The start is not walkable. The nearest place that is lies %1 away, at %2.")
+      return PathText::tr("The start is not walkable. The nearest walkable place is %1 away, at %2.")
           .arg(units.length(result.start->distance), units.place(result.start->position));
     case PathStatus::TargetNotWalkable:
-      return PathText::tr("The target is not walkable. One can come as near as %1 to it, at %2.")
+      return PathText::tr("The target is not walkable. The nearest place that can be reached is %1 away, at %2.")
           .arg(units.length(result.end->distance), units.place(result.end->position));
     case PathStatus::NotConnected:
       if (result.leadsBack) {
         return PathText::tr(
-                   "Drops lead from the target to the start, but no way leads back up. One can come as near as %1, at "
-                   "%2.")
+                   "Drops lead from the target to the start, but no way leads back up. The nearest place that can be "
+                   "reached is %1 away, at %2.")
             .arg(units.length(result.end->distance), units.place(result.end->position));
       }
       return PathText::tr(
-                 "No way leads there: start and target are on separate parts. One can come as near as %1, at %2.")
+                 "There is no way: start and target are on separate parts. The nearest place that can be reached is %1 "
+                 "away, at %2.")
           .arg(units.length(result.end->distance), units.place(result.end->position));
   }
   return {};

@@ -30,7 +30,7 @@ SeparationView::SeparationView(PathModel& model, LevelView& view, QWidget* paren
   text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-  text_->setAccessibleName(tr("What keeps start and target apart"));
+  text_->setAccessibleName(tr("The obstacle between start and target"));
   show_->setObjectName(QStringLiteral("pathShowSeparation"));
   show_->setToolTip(tr("Bring the place into sight where the two parts are nearest to each other"));
   mend_->setObjectName(QStringLiteral("pathMend"));

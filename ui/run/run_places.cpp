@@ -126,7 +126,7 @@ void addPlaceCommands(CommandRegistry& commands, RunPlaces& places, const std::f
                     CommandMenu::Pipeline,
                     QStringLiteral("run on"),
                     asks ? placeText(kind) + QStringLiteral("...") : placeText(kind),
-                    RunPlaces::tr("What computes the cells of a run; the result is the same"),
+                    RunPlaces::tr("Where the cells of a run are computed; the result does not depend on it"),
                     {},
                     {},
                     true};

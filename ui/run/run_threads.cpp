@@ -56,7 +56,7 @@ void addThreadCommands(CommandRegistry& commands, RunThreads& threads) {
                     CommandMenu::Pipeline,
                     QStringLiteral("threads"),
                     threadsText(n),
-                    RunThreads::tr("So many threads at most compute a run; the result is the same"),
+                    RunThreads::tr("The largest number of threads of a run; the result does not depend on it"),
                     {},
                     {},
                     true};

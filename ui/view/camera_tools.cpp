@@ -96,7 +96,7 @@ void CameraTools::addMoves(const FeatureHost& host) {
                                       CommandMenu::View,
                                       group,
                                       tr("Frame &selection"),
-                                      tr("Bring what is selected, or what the mouse points at, into sight"),
+                                      tr("Bring the selection, or the place under the mouse, into view"),
                                       {Qt::Key_Home, Qt::Key_Period}},
                                      [this](bool) { camera_.frameSelection(); });
   frame->setShortcutContext(Qt::WidgetWithChildrenShortcut);  // lists use Home themselves
@@ -113,7 +113,7 @@ void CameraTools::addMoves(const FeatureHost& host) {
                                CommandMenu::View,
                                group,
                                tr("Glide to &new views"),
-                               tr("Show where the camera goes when it jumps; off to reduce motion"),
+                               tr("Animate jumps of the camera; switch off to reduce motion"),
                                {},
                                {},
                                true},
@@ -162,11 +162,11 @@ void CameraTools::addBookmarks(CommandRegistry& commands) {
 void CameraTools::fillMenu() {
   menu_->clear();
   QAction* keep = menu_->addAction(tr("&Keep this view..."), this, &CameraTools::askForName);
-  keep->setToolTip(tr("Remember where the camera is, under a name"));
+  keep->setToolTip(tr("Save the camera position under a name"));
   keep->setEnabled(view_.environmentGeometry() != nullptr);
   menu_->addSeparator();
   if (bookmarks_.empty()) {
-    menu_->addAction(tr("No bookmarks; Ctrl+Alt+1 to 9 keep one, Ctrl+Shift+1 to 9 go there"))->setEnabled(false);
+    menu_->addAction(tr("No bookmarks; Ctrl+Alt+1 to 9 saves one, Ctrl+Shift+1 to 9 goes there"))->setEnabled(false);
     return;
   }
   auto* forget = new QMenu(tr("&Forget"), menu_);
@@ -210,7 +210,7 @@ void CameraTools::keepBookmark(int slot, const QString& name) {
 void CameraTools::recallBookmark(int slot) {
   const auto found = bookmarks_.find(slot);
   if (found == bookmarks_.end()) {
-    status_.say(StatusSubject::Note, tr("No view is kept there; Ctrl+Alt+%1 keeps this one").arg(slot));
+    status_.say(StatusSubject::Note, tr("No view is saved there; Ctrl+Alt+%1 saves this one").arg(slot));
     return;
   }
   camera_.glideTo(found->second.pose);

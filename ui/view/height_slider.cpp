@@ -27,8 +27,8 @@ HeightSlider::HeightSlider(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::ArrowCursor);
   setAccessibleName(tr("Heights that are shown"));
   setToolTip(
-      tr("Leave out what is higher or lower, to look under roofs. The result stays the same.\nHandles snap to "
-         "floors, not with Alt held; a double click shows all again."));
+      tr("Hide everything that is higher or lower, to look under roofs. The result does not change.\nHandles snap to "
+         "floors, except while Alt is held; a double click shows everything again."));
 }
 
 void HeightSlider::setLevel(double lower, double upper, std::vector<double> floors) {

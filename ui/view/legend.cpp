@@ -107,9 +107,9 @@ Legend::Legend(QWidget* parent) : OverlayFrame(tr("Legend"), QStringLiteral("leg
   connections_ = addEntry(tr("Connection of two layers"), &SceneParts::connections,
                           tr("An edge on which two layers meet: agents can cross"));
   steps_ = addEntry(tr("Step: can be climbed"), &SceneParts::steps,
-                    tr("Two borders over each other, from one of which an agent steps to the other"));
+                    tr("Two borders above each other that an agent can step between"));
   gaps_ = addEntry(tr("Gap: can be stepped over"), &SceneParts::gaps,
-                   tr("Two borders beside each other, from one of which an agent steps over to the other"));
+                   tr("Two borders beside each other that an agent can step between"));
   drops_ = addEntry(tr("Drop: one way down"), &SceneParts::drops,
                     tr("A ledge from which an agent drops to a lower place, along the arrows, and does not come back"));
   removed_ = addEntry(tr("Not walkable because:"), &SceneParts::removed, tr("Floors that a filter removed"));
@@ -207,7 +207,7 @@ void Legend::showMode(ViewMode mode, const FieldScale& scale, bool ready) {
     const QString what = labelOf(mode);
     scale_->setAccessibleName(scale.limit ? tr("%1, limit %2").arg(what, shortText(*scale.limit * factor)) : what);
     scale_->setToolTip(mode == ViewMode::Slope ? tr("Hatched: steeper than the limit of the slope filter")
-                                               : tr("Hatched: less than the clearance filter asks for"));
+                                               : tr("Hatched: less than the clearance filter needs"));
   }
   describeReasons(shownReasons_);
   fit();

@@ -201,7 +201,7 @@ void EditorWindow::createViewActions() {
                  CommandMenu::View,
                  QStringLiteral("window"),
                  tr("F&ull screen"),
-                 tr("Give the window all of the screen, or take that back"),
+                 tr("Show the window on the whole screen, or leave full screen"),
                  {Qt::Key_F11}},
                 [this](bool) { setWindowState(windowState() ^ Qt::WindowFullScreen); });
 }

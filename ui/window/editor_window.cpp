@@ -171,7 +171,7 @@ void EditorWindow::createComforts() {
                  CommandMenu::Help,
                  QStringLiteral("help"),
                  tr("&Find a command..."),
-                 tr("Everything that can be done, by a few letters"),
+                 tr("Find any command by a few letters"),
                  {QKeySequence(Qt::CTRL | Qt::Key_K)},
                  QStringLiteral("search")},
                 [this](bool) { palette_->openUp(); });
@@ -179,12 +179,12 @@ void EditorWindow::createComforts() {
   help_ = new HelpPanel(document_, *filters_);
   host_->panels.add({QStringLiteral("view.help"),
                      tr("Help"),
-                     tr("Tells about the filter that has the focus"),
+                     tr("Describes the filter that has the focus"),
                      {QKeySequence(Qt::SHIFT | Qt::Key_F1)},
                      QStringLiteral("help")},
                     help_);
   commands_.add({QStringLiteral("view.resetLayout"), CommandMenu::View, QStringLiteral("layout"),
-                 tr("&Reset window layout"), tr("Put all panels and tool bars back to where they were at first")},
+                 tr("&Reset window layout"), tr("Move all panels and tool bars back to their default places")},
                 [this](bool) { layout_->reset(); });
 }
 
@@ -281,11 +281,11 @@ void EditorWindow::connectRuns() {
   connect(&controller_, &RunController::cancelled, this, [this] {
     hideProgress();
     messages_->finish(MessageSubject::Run);
-    status_->setState(tr("Cancelled; the view shows the result before. Press F5 to run again."));
+    status_->setState(tr("Cancelled; the view shows the previous result. Press F5 to run again."));
   });
   connect(&controller_, &RunController::failed, this, [this](const QString& message) {
     hideProgress();
-    status_->setState(tr("The run failed; the view shows the result before"));
+    status_->setState(tr("The run failed; the view shows the previous result"));
     const QString files = exports_->takeWaiting();
     messages_->showErrorOf(MessageSubject::Run,
                            files.isEmpty() ? message : tr("%1. Not written: %2").arg(message, files));

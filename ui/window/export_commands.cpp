@@ -25,7 +25,7 @@ void addExportCommands(CommandRegistry& commands, ResultExport& exports) {
   after.group = command.group;
   after.text = ResultExport::tr("Export after each r&un");
   after.help =
-      ResultExport::tr("Write every new result to the file of the last export, for a program beside that follows it");
+      ResultExport::tr("Write every new result to the file of the last export, for another program that watches it");
   after.checkable = true;
   QAction* live = commands.add(after, [&exports](bool on) { exports.setAfterRuns(on); });
 

@@ -130,13 +130,13 @@ QWidget* ExportDialog::createMeshOptions() {
   auto* options = new QWidget(this);
   auto* mesh = new QVBoxLayout(options);
   mesh->setContentsMargins(0, 0, 0, 0);
-  layers_ = addBox(mesh, QStringLiteral("exportLayers"), {}, tr("Off: all that is walkable together"));
+  layers_ = addBox(mesh, QStringLiteral("exportLayers"), {}, tr("Off: the whole walkable area as one"));
   connections_ = addBox(mesh, QStringLiteral("exportConnections"), tr("Connections as lines"),
                         tr("The edges on which two layers meet"));
   obstacleEdges_ = addBox(mesh, QStringLiteral("exportObstacleEdges"), tr("Obstacle edges as lines"),
                           tr("Edges that agents cannot cross though both sides are walkable"));
   steps_ = addBox(mesh, QStringLiteral("exportSteps"), {},
-                  tr("Off: the file has no steps; floors that only steps join are apart in it"));
+                  tr("Off: the file has no steps; floors that only steps join are separate"));
   drops_ = addBox(mesh, QStringLiteral("exportDrops"), tr("Drops as lines"),
                   tr("Lines from where an agent drops to where it lands"));
   placed_ = addBox(mesh, QStringLiteral("exportPlaced"), tr("Placed obstacles"),

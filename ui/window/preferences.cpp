@@ -118,7 +118,7 @@ QWidget* Preferences::makeKeys() {
   table_->header()->setStretchLastSection(false);
   key_ = new QKeySequenceEdit(page);
   key_->setAccessibleName(tr("Keys"));
-  key_->setToolTip(tr("Press the keys that the selected command is to have"));
+  key_->setToolTip(tr("Press the new keys of the selected command"));
   usual_ = new QPushButton(tr("&Usual keys"), page);
   none_ = new QPushButton(tr("&No keys"), page);
   auto* all = new QPushButton(tr("&Reset all"), page);
@@ -183,7 +183,7 @@ void Preferences::takeKey(const QKeySequence& key) {
     const QString name = withoutMnemonic(commands_.find(owner)->text());
     showKey();
     problem_->setText(
-        tr("%1 already belongs to %2; take it away there first.").arg(key.toString(QKeySequence::NativeText), name));
+        tr("%1 is already used by %2; remove it there first.").arg(key.toString(QKeySequence::NativeText), name));
     return;
   }
   keys_.setKey(id, key);

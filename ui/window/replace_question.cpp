@@ -33,15 +33,14 @@ void askReplacing(QWidget* parent, const QStringList& paths, std::function<void(
     return;
   }
   const QFileInfo& file = files.front();
-  const QString question =
-      files.size() == 1 ? ReplaceTexts::tr("Replace %1?").arg(file.fileName())
-                        : ReplaceTexts::tr("Replace %1 files, as far as they are written anew?").arg(files.size());
+  const QString question = files.size() == 1 ? ReplaceTexts::tr("Replace %1?").arg(file.fileName())
+                                             : ReplaceTexts::tr("Replace up to %1 files?").arg(files.size());
   auto* box =
       new QMessageBox(QMessageBox::Warning, ReplaceTexts::tr("Replace a file"), question, QMessageBox::Cancel, parent);
   box->setObjectName(QStringLiteral("replaceQuestion"));
   const QString folder = QFileInfo(file.canonicalFilePath()).path();
   if (files.size() == 1) {
-    box->setInformativeText(ReplaceTexts::tr("This file is in %1 (%2, last changed %3). What is in it is lost.")
+    box->setInformativeText(ReplaceTexts::tr("This file is in %1 (%2, last changed %3). Its content will be lost.")
                                 .arg(folder, QLocale().formattedDataSize(file.size()),
                                      QLocale().toString(file.lastModified(), QLocale::ShortFormat)));
   } else {
@@ -49,8 +48,8 @@ void askReplacing(QWidget* parent, const QStringList& paths, std::function<void(
     QStringList names;
     for (const QFileInfo& other : files.first(std::min(files.size(), kNamed))) names << other.fileName();
     if (files.size() > kNamed) names << QStringLiteral("...");
-    box->setInformativeText(
-        ReplaceTexts::tr("They are in %1: %2. What is in them is lost.").arg(folder, names.join(QStringLiteral(", "))));
+    box->setInformativeText(ReplaceTexts::tr("They are in %1: %2. Their content will be lost.")
+                                .arg(folder, names.join(QStringLiteral(", "))));
   }
   box->setTextFormat(Qt::PlainText);
   QPushButton* yes = box->addButton(ReplaceTexts::tr("&Replace"), QMessageBox::AcceptRole);

@@ -43,7 +43,7 @@ void checkUnasked(const std::vector<OutputFile>& files, const std::set<std::stri
   if (!replaceable) return;
   for (const OutputFile& file : files)
     if (!replaceable->contains(file.path) && QFileInfo::exists(fromPath(file.path)))
-      throw InputError(FOOTFALL_TEXT("%1: is there already; export with the dialog, which asks whether to replace it"),
+      throw InputError(FOOTFALL_TEXT("%1: already exists; export with the dialog, which asks whether to replace it"),
                        file.path);
 }
 

@@ -81,7 +81,8 @@ bool SessionKeeper::takeOwnPath() {
 void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsaved, EditHistory history) {
   if (!takeOwnPath()) {
     if (!std::exchange(failing_, true))
-      emit failed(tr("%1: the session cannot be kept for after a crash; make this folder writable").arg(folder_));
+      emit failed(
+          tr("%1: the session cannot be saved for recovery after a crash; make this folder writable").arg(folder_));
     return;
   }
   session.sections[kSection] = nlohmann::json{{"session", sessionPath.toStdString()}, {"unsaved", unsaved}}.dump(
@@ -98,7 +99,7 @@ void SessionKeeper::keep(Session session, const QString& sessionPath, bool unsav
               const bool wasFailing = std::exchange(failing_, !error.isEmpty());
               if (wasFailing && error.isEmpty()) emit recovered();
               if (wasFailing || error.isEmpty()) return;
-              emit failed(tr("The session cannot be kept for after a crash: %1").arg(error));
+              emit failed(tr("The session cannot be saved for recovery after a crash: %1").arg(error));
             },
             Qt::QueuedConnection);
       });

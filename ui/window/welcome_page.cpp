@@ -165,7 +165,7 @@ QWidget* WelcomePage::makeFiles() {
   recent_ = new QListWidget(files);
   recent_->setObjectName(QStringLiteral("recentFiles"));
   recent_->setAccessibleName(tr("Recent files"));
-  recent_->setToolTip(tr("Enter opens a file, Delete takes it off the list"));
+  recent_->setToolTip(tr("Enter opens a file, Delete removes it from the list"));
   recent_->setTabKeyNavigation(false);
   recent_->setMinimumHeight(120);
   recent_->setTextElideMode(Qt::ElideMiddle);
@@ -174,7 +174,7 @@ QWidget* WelcomePage::makeFiles() {
   noRecent_ = new QLabel(tr("Files that you open are listed here."), files);
   noRecent_->setObjectName(QStringLiteral("figures"));
   noRecent_->setWordWrap(true);
-  remove_ = new QPushButton(tr("Take off the list"), files);
+  remove_ = new QPushButton(tr("Remove from the list"), files);
   remove_->setObjectName(QStringLiteral("removeRecent"));
   remove_->setToolTip(tr("Forget this file; the file itself stays"));
   remove_->setAutoDefault(true);
@@ -258,11 +258,10 @@ void WelcomePage::setRecentFiles(const QStringList& paths) {
   for (const QString& path : paths) {
     const QFileInfo file(path);
     const bool missing = !file.exists();
-    auto* item = new QListWidgetItem(
-        icon(missing ? QStringLiteral("warning") : QStringLiteral("environment")),
-        missing ? tr("%1 (not there any more)").arg(file.fileName()) + QLatin1Char('\n') + file.path()
-                : file.fileName() + QLatin1Char('\n') + file.path(),
-        recent_);
+    auto* item = new QListWidgetItem(icon(missing ? QStringLiteral("warning") : QStringLiteral("environment")),
+                                     missing ? tr("%1 (missing)").arg(file.fileName()) + QLatin1Char('\n') + file.path()
+                                             : file.fileName() + QLatin1Char('\n') + file.path(),
+                                     recent_);
     item->setData(PathRole, path);
     item->setData(MissingRole, missing);
     item->setToolTip(path);

@@ -30,7 +30,7 @@ bool WindowClosing::waits() {
   if (closesWhenWritten_ || !isWriting()) return false;
   if (exports_.waiting().isEmpty()) {
     closesWhenWritten_ = true;
-    status_.say(StatusSubject::Note, tr("Closes when the file is written; close again to close at once"));
+    status_.say(StatusSubject::Note, tr("Saving the file. Footfall closes when it is done; close again to close now"));
   } else if (!window_.findChild<QMessageBox*>(QStringLiteral("pendingQuestion"))) {
     askWaiting();
   }

@@ -103,30 +103,29 @@ FilterDescriptor describeStep() {
           "there anyway. Filters that follow keep links where they leave both borders; another StepFilter adds to "
           "them.",
       .source = "ours",
-      .parameters =
-          {{
-               .name = "step",
-               .label = "Step",
-               .help = "How high an agent climbs at once. A step of exactly this height is climbed; where coordinates "
-                       "lie on a grid, so is one that is higher by a step of the grid.",
-               .type = ParameterType::Real,
-               .unit = Unit::Length,
-               .defaultValue = 0.4,
-               .minimum = 0,
-               .maximum = kNoLimit,
-               .minimumOpen = true,
-           },
-           {
-               .name = "gap",
-               .label = "Gap",
-               .help = "How wide a gap an agent steps over, seen from above. 0: borders must coincide.",
-               .type = ParameterType::Real,
-               .unit = Unit::Length,
-               .defaultValue = 0.05,
-               .minimum = 0,
-               .maximum = kNoLimit,
-               .optional = true,
-           }},
+      .parameters = {{
+                         .name = "step",
+                         .label = "Step",
+                         .help = "The highest step that an agent climbs, this height included. Where coordinates lie "
+                                 "on a grid, a step that is higher by one step of the grid is climbed as well.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.4,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .minimumOpen = true,
+                     },
+                     {
+                         .name = "gap",
+                         .label = "Gap",
+                         .help = "The widest gap that an agent steps over, seen from above. 0: borders must coincide.",
+                         .type = ParameterType::Real,
+                         .unit = Unit::Length,
+                         .defaultValue = 0.05,
+                         .minimum = 0,
+                         .maximum = kNoLimit,
+                         .optional = true,
+                     }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
   };
@@ -139,9 +138,9 @@ FilterDescriptor describeRadius() {
       .aliases = {},
       .label = "Radius",
       .help =
-          "Removes what is too near the border of the walkable area for an agent with a body: walls, edges that it "
-          "could fall from, and the ends of the world. Distances are those of the shortest walk, seen from above; "
-          "steps are no border.",
+          "Removes the places that are too near the border of the walkable area for an agent with a body: walls, edges "
+          "that it could fall from, and the ends of the level. Distances are those of the shortest walk, seen from "
+          "above; steps are no border.",
       .precondition = "",
       .effect =
           "No walkable place is nearer to a wall than the radius, or to a ledge than its own distance, and none that "
@@ -149,44 +148,43 @@ FilterDescriptor describeRadius() {
           "farther than that by more than the tolerance is removed. Straight borders move by the distance, rounded "
           "outwards; round corners are polygons.",
       .source = "ours",
-      .parameters = {{
-                         .name = "radius",
-                         .label = "Radius",
-                         .help = "How far an agent's middle stays away from walls: borders where something reaches "
-                                 "higher than a step and not above its head. 0: walls keep nothing away.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.3,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                     },
-                     {
-                         .name = "ledges",
-                         .label = "From ledges",
-                         .help = "How far it stays away from all other borders: drops and ends of the world. Another "
-                                 "distance than the radius needs a VerticalClearanceFilter before it. 0: ledges keep "
-                                 "nothing away.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.3,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .optional = true,
-                         .follows = 0,
-                     },
-                     {
-                         .name = "tolerance",
-                         .label = "Tolerance",
-                         .help =
-                             "By what part of the distances more than that may be removed at round corners. Smaller "
-                             "ones give rounder corners, and more triangles.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::None,
-                         .defaultValue = 0.01,
-                         .minimum = 0.0001,
-                         .maximum = 0.1,
-                         .optional = true,
-                     }},
+      .parameters =
+          {{
+               .name = "radius",
+               .label = "Radius",
+               .help = "The distance that an agent's middle keeps from walls: borders with an obstacle that is higher "
+                       "than a step and not above its head. 0: no distance from walls.",
+               .type = ParameterType::Real,
+               .unit = Unit::Length,
+               .defaultValue = 0.3,
+               .minimum = 0,
+               .maximum = kNoLimit,
+           },
+           {
+               .name = "ledges",
+               .label = "From ledges",
+               .help = "The distance that it keeps from all other borders: drops and the ends of the level. A distance "
+                       "other than the radius needs a VerticalClearanceFilter before it. 0: no distance from ledges.",
+               .type = ParameterType::Real,
+               .unit = Unit::Length,
+               .defaultValue = 0.3,
+               .minimum = 0,
+               .maximum = kNoLimit,
+               .optional = true,
+               .follows = 0,
+           },
+           {
+               .name = "tolerance",
+               .label = "Tolerance",
+               .help = "The share of the distances by which more may be removed at round corners. Smaller values give "
+                       "rounder corners and more triangles.",
+               .type = ParameterType::Real,
+               .unit = Unit::None,
+               .defaultValue = 0.01,
+               .minimum = 0.0001,
+               .maximum = 0.1,
+               .optional = true,
+           }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
   };
@@ -212,7 +210,7 @@ FilterDescriptor describeDrop() {
       .parameters = {{
                          .name = "depth",
                          .label = "Depth",
-                         .help = "How deep an agent drops. A drop of exactly this depth is taken.",
+                         .help = "The deepest drop that an agent takes, this depth included.",
                          .type = ParameterType::Real,
                          .unit = Unit::Length,
                          .defaultValue = 1.5,
@@ -223,9 +221,8 @@ FilterDescriptor describeDrop() {
                      {
                          .name = "reach",
                          .label = "Reach",
-                         .help =
-                             "How far outwards, seen from above, an agent lands at most. Behind a RadiusFilter give "
-                             "at least twice its radius.",
+                         .help = "The largest distance outwards, seen from above, at which an agent lands. After a "
+                                 "RadiusFilter, give at least twice its radius.",
                          .type = ParameterType::Real,
                          .unit = Unit::Length,
                          .defaultValue = 0.3,

@@ -123,7 +123,7 @@ FilterDescriptor describeRounding() {
       .label = "Rounding",
       .help =
           "Gives every vertex double coordinates and repairs what rounding can break: corners that fall together, "
-          "triangles that lose their area or turn over. Tells how many of each case it met.",
+          "triangles that lose their area or turn over. Reports the number of each case.",
       .precondition = "",
       .effect = "Every vertex has double coordinates and no walkable triangle is degenerate or turned over.",
       .source = "thesis 5.1.1; 4.4.2, cases 1 to 5",

@@ -23,7 +23,7 @@ constexpr ParameterDescriptor kMinimumTriangles{
 constexpr ParameterDescriptor kMaximumDepth{
     .name = "depth",
     .label = "Largest depth",
-    .help = "How many times the whole environment may be cut, one cut inside the other.",
+    .help = "The largest number of cuts inside each other.",
     .type = ParameterType::Integer,
     .unit = Unit::Count,
     .defaultValue = 3,

@@ -95,8 +95,8 @@ class MarginFinder {
     if (chain.slack <= mostSlack_) return;
     std::string least;
     appendNumber(least, std::ldexp(least_ * chain.slack / mostSlack_, -state_.kernel->mesh().grid.scaleExponent()));
-    throw InputError(FOOTFALL_TEXT("a radius so small is lost beside the largest coordinates; give at least %1, or "
-                                   "check the scale and the largest coordinates"),
+    throw InputError(FOOTFALL_TEXT("the radius is too small for the largest coordinates; give at least %1, or check "
+                                   "the scale and the largest coordinates"),
                      least);
   }
 

@@ -41,7 +41,7 @@ class SceneReader {
   void read(const Affine& rootTransform) {
     visitMeshes(scene_, rootTransform, [this](const aiNode& node, unsigned number, const Affine& world) {
       if (number >= scene_.mNumMeshes) {
-        failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that is not there"), node.mName.C_Str()),
+        failInput(path_, 0, Text(FOOTFALL_TEXT("node '%1' refers to a mesh that does not exist"), node.mName.C_Str()),
                   FOOTFALL_TEXT("export the file again"));
       }
       const aiMesh& shape = *scene_.mMeshes[number];

@@ -143,7 +143,7 @@ GltfBuffers::GltfBuffers(const std::string& path) : path_(path), file_(readInput
   }
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
   json_ = Json::parse(text, nullptr, false);
-  if (!json_.is_object()) failGltf(FOOTFALL_TEXT("it is no JSON, or was cut off"));
+  if (!json_.is_object()) failGltf(FOOTFALL_TEXT("it is not JSON, or is truncated"));
   if (gltfText(gltfObject(json_, "asset"), "version").starts_with("1")) throw OldGltf{};
 }
 
@@ -185,7 +185,7 @@ std::string_view GltfBuffers::view(std::uint64_t number) {
   const auto packed = extensions.find("EXT_meshopt_compression");
   if (packed == extensions.end())
     return within(gltfNumber(view, "buffer"), gltfNumber(view, "byteOffset", 0), gltfNumber(view, "byteLength"));
-  if (!packed->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is no object"), "EXT_meshopt_compression"));
+  if (!packed->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is not an object"), "EXT_meshopt_compression"));
   const auto known = unpacked_.find(number);
   if (known != unpacked_.end()) return known->second;
   const MeshoptView how{gltfText(*packed, "mode"), gltfText(*packed, "filter"), gltfNumber(*packed, "count"),
@@ -217,7 +217,7 @@ GltfNumbers GltfBuffers::numbers(std::uint64_t number) {
   }
   const auto sparse = accessor.find("sparse");
   if (sparse == accessor.end()) return result;
-  if (!sparse->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is no object"), "sparse"));
+  if (!sparse->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is not an object"), "sparse"));
   const Json &places = gltfObject(*sparse, "indices"), &values = gltfObject(*sparse, "values");
   Layout listed;
   listed.type = gltfNumber(places, "componentType");
@@ -242,7 +242,7 @@ GltfNumbers GltfBuffers::numbers(std::uint64_t number) {
 
 std::vector<std::uint32_t> GltfBuffers::indices(std::uint64_t number) {
   const GltfNumbers all = numbers(number);
-  if (all.width != 1) failGltf(FOOTFALL_TEXT("a list of corners is none of single numbers"));
+  if (all.width != 1) failGltf(FOOTFALL_TEXT("a list of corners does not have single numbers"));
   std::vector<std::uint32_t> result;
   result.reserve(all.values.size());
   for (const double value : all.values) {

@@ -14,7 +14,7 @@ namespace footfall::detail {
 namespace {
 
 [[maybe_unused]] [[noreturn]] void failDecoding(const char* extension) {
-  failGltf(Text(FOOTFALL_TEXT("what %1 has packed is not in order"), extension));
+  failGltf(Text(FOOTFALL_TEXT("the data packed by %1 is invalid"), extension));
 }
 
 [[maybe_unused]] [[noreturn]] void failWithoutDecoder(const char* extension) {

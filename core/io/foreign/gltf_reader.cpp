@@ -77,7 +77,7 @@ class GltfReader {
       const std::vector<Affine> worlds = instancesOf(node, scene_.worlds[number]);
       const Json& mesh = gltfItem(json_, "meshes", gltfNumber(node, "mesh"));
       for (const Json& primitive : gltfArray(mesh, "primitives")) {
-        if (!primitive.is_object()) failGltf(FOOTFALL_TEXT("a part of a mesh is no object"));
+        if (!primitive.is_object()) failGltf(FOOTFALL_TEXT("a primitive of a mesh is not an object"));
         const std::optional<Shape> shape = shapeOf(primitive, weightsOf(node, mesh));
         if (!shape) continue;
         const std::string name = gltfText(mesh, "name");
@@ -118,7 +118,7 @@ class GltfReader {
     const auto take = [&](const char* name, std::size_t width, GltfNumbers& numbers) {
       if (!attributes.contains(name)) return std::size_t{0};
       numbers = file_.numbers(gltfNumber(attributes, name));
-      if (numbers.width != width) failGltf(FOOTFALL_TEXT("instances of a mesh are not in order"));
+      if (numbers.width != width) failGltf(FOOTFALL_TEXT("the instances of a mesh are invalid"));
       return numbers.size();
     };
     const std::size_t count =
@@ -172,7 +172,7 @@ class GltfReader {
 
   void takePlaces(const Json& attributes, Shape& shape) {
     const GltfNumbers places = file_.numbers(gltfNumber(attributes, "POSITION"));
-    if (places.width != 3) failGltf(FOOTFALL_TEXT("positions are none of three numbers"));
+    if (places.width != 3) failGltf(FOOTFALL_TEXT("positions do not have three numbers each"));
     if (places.size() > std::numeric_limits<std::uint32_t>::max()) failTooMany();
     shape.places.resize(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -184,7 +184,7 @@ class GltfReader {
       shape.weights.push_back(file_.numbers(gltfNumber(attributes, weights.c_str())));
       for (const GltfNumbers& numbers : {shape.joints.back(), shape.weights.back()})
         if (numbers.width != 4 || numbers.size() < shape.places.size())
-          failGltf(FOOTFALL_TEXT("the weights of a skin are not in order"));
+          failGltf(FOOTFALL_TEXT("the weights of a skin are invalid"));
     }
   }
 
@@ -214,8 +214,7 @@ class GltfReader {
     for (std::size_t t = 0; t < std::min(targets.size(), weights.size()); ++t) {
       if (weights[t] == 0 || !targets[t].is_object() || !targets[t].contains("POSITION")) continue;
       const GltfNumbers moves = file_.numbers(gltfNumber(targets[t], "POSITION"));
-      if (moves.width != 3 || moves.size() < shape.places.size())
-        failGltf(FOOTFALL_TEXT("a morph target is not in order"));
+      if (moves.width != 3 || moves.size() < shape.places.size()) failGltf(FOOTFALL_TEXT("a morph target is invalid"));
       for (std::size_t i = 0; i < shape.places.size(); ++i) {
         shape.places[i].x += weights[t] * moves.at(i, 0);
         shape.places[i].y += weights[t] * moves.at(i, 1);
@@ -230,11 +229,11 @@ class GltfReader {
     const Json& skin = gltfItem(json_, "skins", number);
     GltfNumbers bind;
     if (skin.contains("inverseBindMatrices")) bind = file_.numbers(gltfNumber(skin, "inverseBindMatrices"));
-    if (bind.width != 0 && bind.width != 16) failGltf(FOOTFALL_TEXT("a skin is not in order"));
+    if (bind.width != 0 && bind.width != 16) failGltf(FOOTFALL_TEXT("a skin is invalid"));
     std::vector<Affine> joints;
     for (const Json& joint : gltfArray(skin, "joints")) {
       const std::uint64_t node = joint.is_number_unsigned() ? joint.get<std::uint64_t>() : scene_.worlds.size();
-      if (node >= scene_.worlds.size()) failGltf(FOOTFALL_TEXT("a skin names a node that is not there"));
+      if (node >= scene_.worlds.size()) failGltf(FOOTFALL_TEXT("a skin refers to a node that does not exist"));
       const Affine& world = scene_.worlds[node];
       joints.push_back(joints.size() < bind.size() ? world * matrixAt(bind, joints.size()) : world);
     }
@@ -254,7 +253,7 @@ class GltfReader {
         const double weight = shape.weights[set].at(vertex, k), joint = shape.joints[set].at(vertex, k);
         if (weight == 0) continue;
         if (!(joint >= 0 && joint < static_cast<double>(joints.size())))
-          failGltf(FOOTFALL_TEXT("the weights of a skin are not in order"));
+          failGltf(FOOTFALL_TEXT("the weights of a skin are invalid"));
         const Vec3 p = joints[static_cast<std::size_t>(joint)] * shape.places[vertex];
         sum = {sum.x + weight * p.x, sum.y + weight * p.y, sum.z + weight * p.z};
         total += weight;

@@ -48,7 +48,7 @@ constexpr std::array kFormats{
         .ending = ".bin",
         .name = FOOTFALL_TEXT("Detour: tile set, metres, Y up"),
         .keeps =
-            FOOTFALL_TEXT("who can reach whom: convex polygons, heights, steps, drops, the agent; layers as areas"),
+            FOOTFALL_TEXT("convex polygons with their connections, heights, steps, drops, the agent; layers as areas"),
         .loses = FOOTFALL_TEXT("digits beyond the seventh; more than 58 layers; placed obstacles"),
         .hasLines = false,
         .hasExtras = false,

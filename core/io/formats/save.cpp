@@ -36,7 +36,7 @@ void checkReplaced(const std::string& path) {
   std::string start(expected.size(), '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
   if (start != expected)
-    throw InputError(FOOTFALL_TEXT("%1: is there already and is no navigation mesh; choose another name"), path);
+    throw InputError(FOOTFALL_TEXT("%1: already exists and is not a navigation mesh; choose another name"), path);
 }
 
 ExportFiles formatExport(ExportFormat format, const std::string& path, const NavigationMesh& mesh,

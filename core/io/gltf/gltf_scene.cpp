@@ -16,10 +16,10 @@ template <std::size_t Count>
 std::array<double, Count> numbersOf(const Json& node, const char* name, const std::array<double, Count>& missing) {
   const auto found = node.find(name);
   if (found == node.end()) return missing;
-  if (!found->is_array() || found->size() != Count) failGltf(FOOTFALL_TEXT("a node's transform is not in order"));
+  if (!found->is_array() || found->size() != Count) failGltf(FOOTFALL_TEXT("the transform of a node is invalid"));
   std::array<double, Count> numbers{};
   for (std::size_t i = 0; i < Count; ++i) {
-    if (!(*found)[i].is_number()) failGltf(FOOTFALL_TEXT("a node's transform is not in order"));
+    if (!(*found)[i].is_number()) failGltf(FOOTFALL_TEXT("the transform of a node is invalid"));
     numbers[i] = (*found)[i].template get<double>();
   }
   return numbers;
@@ -40,7 +40,7 @@ std::vector<std::size_t> parentsOf(const Json& nodes) {
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (const Json& child : gltfArray(nodes[i], "children")) {
       const std::uint64_t number = child.is_number_unsigned() ? child.get<std::uint64_t>() : kNone;
-      if (number >= nodes.size()) failGltf(FOOTFALL_TEXT("a node names a child that is not there"));
+      if (number >= nodes.size()) failGltf(FOOTFALL_TEXT("a node refers to a child that does not exist"));
       if (parents[number] != kNone) failGltf(Text(FOOTFALL_TEXT("node %1 is the child of more than one node"), number));
       parents[number] = i;
     }
@@ -54,7 +54,7 @@ std::vector<std::size_t> rootsOf(const Json& file, const std::vector<std::size_t
   if (!scenes.empty()) {
     for (const Json& root : gltfArray(gltfItem(file, "scenes", gltfNumber(file, "scene", 0)), "nodes")) {
       const std::uint64_t number = root.is_number_unsigned() ? root.get<std::uint64_t>() : kNone;
-      if (number >= parents.size()) failGltf(FOOTFALL_TEXT("the scene names a node that is not there"));
+      if (number >= parents.size()) failGltf(FOOTFALL_TEXT("the scene refers to a node that does not exist"));
       roots.push_back(number);
     }
     return roots;
@@ -72,7 +72,7 @@ void visitDepthFirst(const Json& nodes, const std::vector<std::size_t>& roots, c
   while (!stack.empty()) {
     const std::size_t node = stack.back();
     stack.pop_back();
-    if (seen[node]) failGltf(Text(FOOTFALL_TEXT("node %1 comes twice in the scene"), node));
+    if (seen[node]) failGltf(Text(FOOTFALL_TEXT("node %1 appears twice in the scene"), node));
     seen[node] = true;
     visit(node);
     const Json& children = gltfArray(nodes[node], "children");
@@ -107,7 +107,7 @@ const Json& gltfArray(const Json& object, const char* name) {
   static const Json kEmpty = Json::array();
   const auto found = object.find(name);
   if (found == object.end()) return kEmpty;
-  if (!found->is_array()) failGltf(Text(FOOTFALL_TEXT("'%1' is no list"), name));
+  if (!found->is_array()) failGltf(Text(FOOTFALL_TEXT("'%1' is not a list"), name));
   return *found;
 }
 
@@ -115,7 +115,7 @@ const Json& gltfObject(const Json& object, const char* name) {
   static const Json kEmpty = Json::object();
   const auto found = object.find(name);
   if (found == object.end()) return kEmpty;
-  if (!found->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is no object"), name));
+  if (!found->is_object()) failGltf(Text(FOOTFALL_TEXT("'%1' is not an object"), name));
   return *found;
 }
 
@@ -142,7 +142,7 @@ Affine gltfTransform(const std::array<double, 3>& translation, std::array<double
 GltfScene gltfScene(const Json& file) {
   const Json& nodes = gltfArray(file, "nodes");
   for (const Json& node : nodes)
-    if (!node.is_object()) failGltf(FOOTFALL_TEXT("a node is no object"));
+    if (!node.is_object()) failGltf(FOOTFALL_TEXT("a node is not an object"));
   const std::vector<std::size_t> parents = parentsOf(nodes);
   GltfScene scene;
   scene.worlds.assign(nodes.size(), kIdentity);

@@ -42,15 +42,15 @@ class TestCompare : public QObject {
     command->trigger();
     QVERIFY(command->isChecked());
     QVERIFY(feature_->panel().isVisible());
-    QVERIFY2(feature_->panel().summary().contains("Nothing was edited yet"), qPrintable(feature_->panel().summary()));
+    QVERIFY2(feature_->panel().summary().contains("There is no edit yet"), qPrintable(feature_->panel().summary()));
     // Half a metre under the table is enough now: 4 square metres appear.
     setClearance(0.5);
     QVERIFY(waitForDifference());
     QCOMPARE(difference().areas[1].surface, 4.0);
     QVERIFY(!difference().hasArea[0]);
     QVERIFY2(feature_->panel().summary().startsWith("Appeared: 4.00 units"), qPrintable(feature_->panel().summary()));
-    QVERIFY(feature_->panel().summary().contains("Went: nothing"));
-    QVERIFY(legend().contains("Appeared: 4.00 units") && legend().contains("Went: nothing"));
+    QVERIFY(feature_->panel().summary().contains("Disappeared: nothing"));
+    QVERIFY(legend().contains("Appeared: 4.00 units") && legend().contains("Disappeared: nothing"));
     QCOMPARE(feature_->panel().table()->rowCount(), 1);
     shoot(*window_, "compare-appeared");
 
@@ -66,7 +66,7 @@ class TestCompare : public QObject {
     QTRY_VERIFY(waitUntilIdle(*window_) && feature_->watch().difference() && difference().hasArea[0]);
     QVERIFY(!difference().hasArea[1]);
     QCOMPARE(difference().areas[0].surface, 4.0);
-    QTRY_COMPARE(table->item(0, 0)->text(), QString("went"));
+    QTRY_COMPARE(table->item(0, 0)->text(), QString("disappeared"));
 
     command->trigger();
     QVERIFY(!feature_->watch().difference());

@@ -138,7 +138,7 @@ class TestFileWatch : public QObject {
 
   void filesThatVanishAndComeBack() {
     QVERIFY(QFile::remove(path_));
-    QTRY_VERIFY(window_->messageBar().text().startsWith("level.obj is gone from the disk"));
+    QTRY_VERIFY(window_->messageBar().text().startsWith("level.obj was deleted"));
     QCOMPARE(freeFloor(), 60.0);
     QCOMPARE(done_->count(), 0);
     writeFile(*folder_, "level.obj", boardObj(3));

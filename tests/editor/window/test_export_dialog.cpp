@@ -105,7 +105,7 @@ class TestExportDialog : public QObject {
         parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 0.5\nLayerSubdivisionFilter\n", "test"), "filters");
     QVERIFY(waitUntilIdle(*window_));
     window_->commands().find("file.exportAgain")->trigger();
-    QTRY_VERIFY2(window_->messageBar().text().contains("again-1.wkt: is there already"),
+    QTRY_VERIFY2(window_->messageBar().text().contains("again-1.wkt: already exists"),
                  qPrintable(window_->messageBar().text()));
     QCOMPARE(readFile(second), QByteArray("mine"));
     QVERIFY(!QFile::exists(folder_->filePath("again-0.wkt")));

@@ -34,7 +34,7 @@ class TestPreferences : public QObject {
     // A key of another command is refused, and by its name.
     select(dialog, "view.top");
     type(dialog, key);
-    QVERIFY2(dialog.keyProblem().contains("already belongs to"), qPrintable(dialog.keyProblem()));
+    QVERIFY2(dialog.keyProblem().contains("already used by"), qPrintable(dialog.keyProblem()));
     QCOMPARE(window_->commands().find("view.top")->shortcut(), QKeySequence(Qt::Key_T));
     // The next window has it.
     EditorWindow other;

@@ -94,7 +94,7 @@ class TestWelcome : public QObject {
     WelcomePage& page = window_->welcomePage();
     QListWidget* list = page.recentList();
     QCOMPARE(list->count(), 2);
-    QVERIFY(list->item(0)->text().contains("not there any more"));
+    QVERIFY(list->item(0)->text().contains("missing"));
     list->setFocus();
     list->setCurrentRow(0);
     QTest::keyClick(list, Qt::Key_Return);

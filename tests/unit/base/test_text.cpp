@@ -108,7 +108,7 @@ class TestText : public QObject {
     QCOMPARE(messageOf([] { parsePipeline("SlopeFilter 95\n", "100%2"); }),
              std::string("100%2:1:13: max_slope 95 is out of range; give a number above 0 and below 90 (degrees)"));
     QCOMPARE(messageOf([] { parsePipeline("GridStrategy 1 1\nLayerSubdivisionFilter\nCollapse\n", "p"); }),
-             std::string("p:2:1: LayerSubdivisionFilter sees across cells and cannot run inside the parallel block "
+             std::string("p:2:1: LayerSubdivisionFilter needs all cells and cannot run inside the parallel block "
                          "that GridStrategy begins in line 1; move it behind Collapse or before the block"));
   }
 };

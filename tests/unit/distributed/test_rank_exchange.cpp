@@ -306,7 +306,7 @@ class TestRankExchange : public QObject {
     options.ranks = 3;
     options.environmentOf = [&](int rank) { return rank == 2 ? rooms : house; };
     const RankOutcome outcome = runOnRanks(house, pipelineOf("GridStrategy 4 4"), options);
-    QVERIFY2(outcome.error.find("rank 2: this rank works on something else") == 0, outcome.error.c_str());
+    QVERIFY2(outcome.error.find("rank 2: this rank has other inputs") == 0, outcome.error.c_str());
   }
 
   // Whoever has more passes than the others must not wait for their shares.
@@ -324,7 +324,7 @@ class TestRankExchange : public QObject {
         return withPasses(rank == 0 ? first : others);
       };
       const RankOutcome outcome = runOnRanks(house, withPasses(1), options);
-      QVERIFY2(outcome.error.find("this rank works on something else") != std::string::npos,
+      QVERIFY2(outcome.error.find("this rank has other inputs") != std::string::npos,
                (std::to_string(ofFirst) + ' ' + std::to_string(ofOthers) + ": " + outcome.error).c_str());
     }
   }

@@ -193,7 +193,7 @@ class TestExport : public QObject {
     const std::string file = folder.write("file", "x");
     QVERIFY(message(file + "/out.obj").contains(QString::fromStdString(file) + " is a file, not a folder; choose"));
     QCOMPARE(::symlink("loop", folder.path("loop").c_str()), 0);
-    QVERIFY(message(folder.path("loop")).contains("round in a circle"));
+    QVERIFY(message(folder.path("loop")).contains("form a circle"));
     QFile::remove(QString::fromStdString(folder.path("loop")));
     QFile::remove(QString::fromStdString(file));
     const QString longName = message(folder.path(std::string(300, 'x').c_str()));
@@ -227,7 +227,7 @@ class TestExport : public QObject {
     const QString message = messageOf<RunError>([&] { writeFileSafely(disk + "/out.obj", "text"); });
     const QString before = messageOf<RunError>([&] { checkWritable(disk + "/out.obj"); });
     QCOMPARE(::umount(disk.c_str()), 0);
-    QVERIFY2(message.contains("its disk can only be read; choose another disk"), qPrintable(message));
+    QVERIFY2(message.contains("its disk is read-only; choose another disk"), qPrintable(message));
     QCOMPARE(before, message);
   }
 

@@ -105,9 +105,9 @@ class TestForeignReader : public QObject {
     QTest::addColumn<QString>("expected");
     QTest::newRow("killed by a signal") << QByteArray("kill -SEGV $$") << "the reader for IFC ended by signal 11";
     QTest::newRow("an exit status") << QByteArray("exit 9") << "the reader for IFC ended with exit status 9";
-    QTest::newRow("nothing") << QByteArray("exit 0") << "the reader for IFC has ended before its time";
-    QTest::newRow("something else") << QByteArray("head -c 100000 /dev/zero") << "has ended before its time";
-    QTest::newRow("the start of a stream") << QByteArray("printf 'footfall-import 1\\n\\001'") << "before its time";
+    QTest::newRow("nothing") << QByteArray("exit 0") << "the reader for IFC ended too early";
+    QTest::newRow("something else") << QByteArray("head -c 100000 /dev/zero") << "ended too early";
+    QTest::newRow("the start of a stream") << QByteArray("printf 'footfall-import 1\\n\\001'") << "ended too early";
   }
   void aReaderThatDoesNotEndWellIsNamed() {
     QFETCH(QByteArray, script);

@@ -91,9 +91,9 @@ class TestFormatTable : public QObject {
       const QString out = QString::fromStdString(folder.write(name, other));
       const Outcome refused = runProgram({"run", tower, "-o", out});
       QCOMPARE(refused.exitCode, 2);
-      QVERIFY(refused.err.contains("is no navigation mesh; choose another name"));
+      QVERIFY(refused.err.contains("is not a navigation mesh; choose another name"));
       QCOMPARE(contentOf(out), other);
-      QVERIFY(messageOf<InputError>([&] { save({}, out.toStdString()); }).contains("is no navigation mesh"));
+      QVERIFY(messageOf<InputError>([&] { save({}, out.toStdString()); }).contains("is not a navigation mesh"));
       QVERIFY(QFile::remove(out));
       QCOMPARE(runProgram({"run", tower, "--quiet", "-o", out}).exitCode, 0);
       QCOMPARE(runProgram({"run", tower, "--quiet", "-o", out}).exitCode, 0);  // its own may go

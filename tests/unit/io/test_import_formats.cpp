@@ -201,17 +201,17 @@ class TestImportFormats : public QObject {
     longList[longList.size() - 13] = '\xEB';  // The byte stands before three indices.
     QTest::newRow("ply with a list longer than the file") << "a.ply" << longList << "truncated";
     QTest::newRow("ply with a list of negative length")
-        << "a.ply" << with(longList, "list uchar", "list char") << "fewer than no entries";
+        << "a.ply" << with(longList, "list uchar", "list char") << "a negative length";
     QTest::newRow("ascii ply with a list of negative length")
-        << "a.ply" << with(ply, "4 0 1 2 3", "-103 0 1 2 3") << "fewer than no entries";
+        << "a.ply" << with(ply, "4 0 1 2 3", "-103 0 1 2 3") << "a negative length";
     QTest::newRow("ascii ply with a list longer than its line")
         << "a.ply" << with(ply, "4 0 1 2 3", "3333333333333330 0 1 2 3") << "more entries than its line";
     QTest::newRow("ascii ply with two numbers in a word")
         << "a.ply" << with(ply, "4 0 1 2 3", "4-7 0 1 2 3") << "'4-7' is not a number";
     QTest::newRow("ascii ply with an end of line that is not everybody's")
-        << "a.ply" << with(ply, "4 0 1 2 3", "4 0\r-1 1 2 3") << "bytes in the line that are no text";
+        << "a.ply" << with(ply, "4 0 1 2 3", "4 0\r-1 1 2 3") << "bytes that are not text";
     QTest::newRow("ascii ply with bytes that are no text")
-        << "a.ply" << with(ply, "0 4 0", QByteArray("0 4\0 0", 6)) << "bytes in the line that are no text";
+        << "a.ply" << with(ply, "0 4 0", QByteArray("0 4\0 0", 6)) << "bytes that are not text";
     QTest::newRow("ascii ply with an empty line")
         << "a.ply" << with(ply, "4 0 1 2 3", "\n4 0 1 2 3") << "the line is empty";
     QTest::newRow("ply behind an empty line") << "a.ply"

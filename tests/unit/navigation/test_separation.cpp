@@ -159,11 +159,11 @@ class TestSeparation : public QObject {
     QTest::newRow("gap and step") << "a gap of 0.125 and a step of 0.25 up" << 1;
     QTest::newRow("stairs") << "a step of 0.5 up" << 3;
     QTest::newRow("wall without thickness") << "an obstacle edge: a wall without thickness" << 1;
-    QTest::newRow("low wall without thickness") << "something 0.3 high to climb over" << 1;
+    QTest::newRow("low wall without thickness") << "an obstacle of 0.3 to climb over" << 1;
     QTest::newRow("thick wall") << "a wall; the parts are 0.25 apart" << 1;
-    QTest::newRow("low thick wall") << "something 0.75 high to climb over" << 1;
+    QTest::newRow("low thick wall") << "an obstacle of 0.75 to climb over" << 1;
     QTest::newRow("beam") << "a place with only 1.5 of free height" << 1;
-    QTest::newRow("corner") << "the parts only touch in a point, through which nobody fits" << 1;
+    QTest::newRow("corner") << "the parts only touch in a point, which is too narrow for an agent" << 1;
     QTest::newRow("beside a wall") << "a gap of 0.5" << 1;
     QTest::newRow("wall of two panels") << "a wall; the parts are 0.25 apart" << 1;
   }
@@ -273,7 +273,7 @@ class TestSeparation : public QObject {
     QTest::newRow("step down") << "a step of 0.5 down, 0.125 too high" << 0.125;
     QTest::newRow("gap under a low step") << "a gap of 0.125 and a step of 0.25 up" << 0.125;
     QTest::newRow("noise") << "a gap of 8.88178e-16 and a step of 0.25 up" << std::ldexp(1.0, -50);
-    QTest::newRow("low wall") << "something 0.5 high to climb over, 0.125 too high" << 0.125;
+    QTest::newRow("low wall") << "an obstacle of 0.5 to climb over, 0.125 too high" << 0.125;
     QTest::newRow("beam") << "a place with only 1.75 of free height, 0.25 too low" << 0.25;
     QTest::newRow("beam over a step") << "a place with only 1.75 of free height, 0.25 too low" << 0.25;
     QTest::newRow("wall") << "an obstacle edge: a wall without thickness" << 0.0;

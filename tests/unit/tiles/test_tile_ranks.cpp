@@ -153,7 +153,7 @@ void TestTileRanks::otherThingsAreRefused() {
     const Pipeline pipeline = parsePipeline(group.isFirst() ? kPipelines[0] : kPipelines[2], "test");
     runIntoTiles(environment, pipeline, folder.path("tiles"), {kEnough, 20}, group, context);
   });
-  QVERIFY2(errors[0].starts_with("rank 1: this rank works on something else than rank 0"), errors[0].c_str());
+  QVERIFY2(errors[0].starts_with("rank 1: this rank has other inputs than rank 0"), errors[0].c_str());
   removeUnfinished(folder.path("tiles"));
   QVERIFY(std::filesystem::is_empty(folder.path("tiles")));
 }
