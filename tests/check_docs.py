@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-# check_docs.py: fails when a link of a Markdown page leads to no file or heading, or when docs/README.md lacks a page.
+# check_docs.py: fails when a link of a Markdown page leads to no file or heading, when a page names a file or a suite that
+# is not there, or when docs/README.md lacks a page.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import re
@@ -32,11 +33,19 @@ def anchors(page):
     return found
 
 
+suites = {name[:-4] for _, _, names in os.walk(os.path.join(root, "tests")) for name in names if re.match(r"test_\w+\.cpp", name)}
+folders_with_code = "core|ui|app|tests|samples|resources|tools|bindings|cmake|shaders"
 linked = {}
 for page in sorted(pages()):
     text = re.sub(r"^```.*?^```", "", text_of(page), flags=re.S | re.M)
     text = "\n".join(line for line in text.split("\n") if not line.startswith("    "))
     linked[page] = set()
+    if page != "CHANGELOG.md" and not page.startswith("docs/decisions/"):  # they tell of what was
+        for name in re.findall(r"`([\w./-]+)`", text):
+            if re.match(rf"(?:{folders_with_code})/", name) and not os.path.exists(os.path.join(root, name)):
+                failures.append(f"{page}: there is no file {name}")
+            elif re.fullmatch(r"test_\w+", name) and name not in suites:
+                failures.append(f"{page}: there is no suite {name}")
     for target in re.findall(r"\]\(([^)\s]+)\)", text):
         if re.match(r"[a-z]+:", target):
             continue
