@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t kPolled = 1 << 14;
 constexpr int kRounding = -40;  // A power of two, relative to the extent: smaller distances may be due to rounding
                                 // alone.
-constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+constexpr std::size_t kNoSide = static_cast<std::size_t>(-1);
 
 /// A side of a triangle, with the triangle on its left.
 struct Side {
@@ -188,7 +188,7 @@ class Outliner {
              std::tuple(partOf[b.triangle], b.fromPlace, b.toPlace, b.triangle);
     });
     isUsed_.assign(border_.size(), 0);
-    passed_.assign(mesh_.vertices.size(), kNone);
+    passed_.assign(mesh_.vertices.size(), kNoSide);
     for (std::size_t i = 0; i < border_.size(); ++i) {
       if (i % kPolled == 0) poll_();
       if (isUsed_[i] == 0) traceFrom(i, partOf);
@@ -205,16 +205,16 @@ class Outliner {
       passed_[border_[*at].fromPlace] = path.size();
       path.push_back(*at);
       const std::size_t begin = passed_[border_[*at].toPlace];
-      if (begin == kNone) continue;
+      if (begin == kNoSide) continue;
       PlanRing ring;
       for (std::size_t i = begin; i < path.size(); ++i) {
         ring.push_back(border_[path[i]].from);
-        passed_[border_[path[i]].fromPlace] = kNone;
+        passed_[border_[path[i]].fromPlace] = kNoSide;
       }
       path.resize(begin);
       addRing(result_.parts[part], std::move(ring));
     }
-    for (const std::size_t side : path) passed_[border_[side].fromPlace] = kNone;
+    for (const std::size_t side : path) passed_[border_[side].fromPlace] = kNoSide;
   }
 
   /// The border goes on with the side that bounds the same corner of the walkable area: the first one clockwise from

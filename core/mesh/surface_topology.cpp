@@ -10,8 +10,6 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
-
 Index sideFrom(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex ? 0 : t[1] == vertex ? 1 : 2; }
 
 }  // namespace
@@ -19,9 +17,9 @@ Index sideFrom(const Triangle& t, std::uint32_t vertex) { return t[0] == vertex 
 SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
   const std::size_t count = mesh.triangles.size();
   SurfaceTopology topology;
-  topology.neighbours.assign(count, {kNone, kNone, kNone});
-  topology.fans.assign(count, {kNone, kNone, kNone});
-  topology.components.assign(count, kNone);
+  topology.neighbours.assign(count, {kNoElement, kNoElement, kNoElement});
+  topology.fans.assign(count, {kNoElement, kNoElement, kNoElement});
+  topology.components.assign(count, kNoElement);
 
   std::vector<char> takesPart(count, 0);
   for (std::size_t t = 0; t < count; ++t) {
@@ -53,7 +51,7 @@ SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
     const auto samePlace = [&](std::uint32_t v, std::uint32_t w) {
       return mesh.vertices[v].x == mesh.vertices[w].x && mesh.vertices[v].y == mesh.vertices[w].y;
     };
-    if (topology.neighbours[a][i] != kNone || topology.neighbours[b][j] != kNone ||
+    if (topology.neighbours[a][i] != kNoElement || topology.neighbours[b][j] != kNoElement ||
         !samePlace(link.from[0], link.to[1]) || !samePlace(link.from[1], link.to[0]))
       continue;
     topology.neighbours[a][i] = static_cast<std::uint32_t>(b);
@@ -77,7 +75,7 @@ SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll) {
       } else {
         topology.fans[t][i] = topology.fans[representative / 3][representative % 3];
       }
-      if (topology.neighbours[t][i] == kNone || topology.neighbours[t][(i + 2) % 3] == kNone)
+      if (topology.neighbours[t][i] == kNoElement || topology.neighbours[t][(i + 2) % 3] == kNoElement)
         topology.isOpen[topology.fans[t][i]] = 1;
     }
   }

@@ -42,6 +42,9 @@ struct SurfaceTopology {
   }
 };
 
+/// The number that stands for no triangle, side, fan or component, for code outside of the class.
+inline constexpr std::uint32_t kNoElement = SurfaceTopology::kNone;
+
 /// Finds neighbours, fans and components in the time of findEdges(). `poll` is called now and then and may throw.
 SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll = {});
 

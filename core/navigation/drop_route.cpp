@@ -11,13 +11,13 @@
 #include <tuple>
 #include <utility>
 
+#include "core/base/infinity.hpp"
 #include "core/base/vector.hpp"
+#include "core/navigation/plan_distance.hpp"
 
 namespace footfall::detail {
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kGoodEnough = 0.01;           // share of the proven lower bound
 constexpr std::size_t kMostWork = 200'000;     // nodes of the searches for paths between drops
 constexpr std::size_t kWorkOfPath = 64;        // additional work of each path
@@ -28,14 +28,12 @@ constexpr int kSweeps = 100;  // passes over the drops of a way, each of which i
 
 using Segment = std::array<Vec3, 2>;
 
-double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
 Vec3 between(const Segment& ends, double t) {
   const auto& [a, b] = ends;
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)};
 }
 
-double planDistance(const Vec3& p, const Segment& s) {
+double segmentDistance(const Vec3& p, const Segment& s) {
   const double dx = s[1].x - s[0].x, dy = s[1].y - s[0].y, squared = dx * dx + dy * dy;
   const double t = squared > 0 ? std::clamp(((p.x - s[0].x) * dx + (p.y - s[0].y) * dy) / squared, 0.0, 1.0) : 0;
   return std::hypot(s[0].x + t * dx - p.x, s[0].y + t * dy - p.y);
@@ -45,10 +43,11 @@ double sideOf(const Segment& s, const Vec3& p) {
   return (s[1].x - s[0].x) * (p.y - s[0].y) - (s[1].y - s[0].y) * (p.x - s[0].x);
 }
 
-double planDistance(const Segment& a, const Segment& b) {
+double segmentDistance(const Segment& a, const Segment& b) {
   const bool cross = sideOf(a, b[0]) * sideOf(a, b[1]) < 0 && sideOf(b, a[0]) * sideOf(b, a[1]) < 0;
   if (cross) return 0;
-  return std::min({planDistance(a[0], b), planDistance(a[1], b), planDistance(b[0], a), planDistance(b[1], a)});
+  return std::min(
+      {segmentDistance(a[0], b), segmentDistance(a[1], b), segmentDistance(b[0], a), segmentDistance(b[1], a)});
 }
 
 /// The minimum of a convex function in [0, 1], to about 1e-7 (Kiefer 1953).
@@ -111,7 +110,7 @@ class DropSearch {
     double toGoal = 0;                      ///< no way from it to the goal is shorter
   };
   /// The places before the first piece and behind the last one in chains.
-  static constexpr std::uint32_t kFrom = kNone - 1, kTo = kNone - 2;
+  static constexpr std::uint32_t kFrom = kNoElement - 1, kTo = kNoElement - 2;
 
   [[nodiscard]] std::uint32_t partBefore(const Piece& p) const {
     return topology_.components[mesh_.drops[p.drop].fromTriangle];
@@ -133,8 +132,8 @@ class DropSearch {
             0};
     p.startHalf = planDistance(p.start[0], p.start[1]) / 2;
     p.landingHalf = planDistance(p.landing[0], p.landing[1]) / 2;
-    p.least = planDistance(Vec3{}, Segment{p.landing[0] - p.start[0], p.landing[1] - p.start[1]});
-    p.toGoal = planDistance(to_.place, p.landing);
+    p.least = segmentDistance(Vec3{}, Segment{p.landing[0] - p.start[0], p.landing[1] - p.start[1]});
+    p.toGoal = segmentDistance(to_.place, p.landing);
     return p;
   }
 
@@ -148,7 +147,7 @@ class DropSearch {
       return std::pair{topology_.components[d.fromTriangle], topology_.components[d.toTriangle]};
     };
     for (const DropLink& drop : mesh_.drops)
-      if (const auto parts = partsOf(drop); parts.first != kNone && parts.second != kNone)
+      if (const auto parts = partsOf(drop); parts.first != kNoElement && parts.second != kNoElement)
         ledBy[parts.second].push_back(parts.first);
     std::vector<char> leadsToGoal(topology_.componentCount, 0);
     std::vector<std::uint32_t> open{last};
@@ -162,7 +161,7 @@ class DropSearch {
     startingIn_.resize(topology_.componentCount);
     for (std::uint32_t i = 0; i < mesh_.drops.size(); ++i) {
       const auto parts = partsOf(mesh_.drops[i]);
-      if (parts.first == kNone || parts.second == kNone || parts.first == parts.second) continue;
+      if (parts.first == kNoElement || parts.second == kNoElement || parts.first == parts.second) continue;
       if (partsBefore[parts.first] != 0 && leadsToGoal[parts.second] != 0) addPiece(pieceOf(i, 0, 1));
     }
     return true;
@@ -177,11 +176,11 @@ class DropSearch {
   [[nodiscard]] double leastBetween(std::uint32_t a, std::uint32_t b) const {
     double straight = 0;
     if (a == kFrom)
-      straight = planDistance(from_.place, pieces_[b].start);
+      straight = segmentDistance(from_.place, pieces_[b].start);
     else if (b == kTo)
       straight = pieces_[a].toGoal;
     else
-      straight = planDistance(pieces_[a].landing, pieces_[b].start);
+      straight = segmentDistance(pieces_[a].landing, pieces_[b].start);
     const auto known = known_.find({a, b});
     return known == known_.end() ? straight : std::max(straight, known->second);
   }
@@ -190,12 +189,12 @@ class DropSearch {
   /// is shorter than `limit`; where there were too many tries, what is certain.
   double shortestChain(double limit, std::vector<std::uint32_t>& chain) {
     std::vector<double> lengths(pieces_.size(), kInfinity);
-    std::vector<std::uint32_t> before(pieces_.size(), kNone);
+    std::vector<std::uint32_t> before(pieces_.size(), kNoElement);
     using Open = std::tuple<double, double, std::uint32_t>;  // length with the way to the goal, length without, piece
     std::priority_queue<Open, std::vector<Open>, std::greater<>> open;
     const std::uint32_t last = topology_.components[to_.triangle];
     double shortest = limit;
-    std::uint32_t end = kNone;
+    std::uint32_t end = kNoElement;
     const auto follow = [&](std::uint32_t piece, double length, std::uint32_t part) {
       if (part == last && piece != kFrom) {
         const double whole = length + leastBetween(piece, kTo);
@@ -225,7 +224,8 @@ class DropSearch {
       follow(piece, length, partBehind(pieces_[piece]));
     }
     const double certain = open.empty() ? shortest : std::min(shortest, std::get<0>(open.top()));
-    for (std::uint32_t piece = end; piece != kNone && piece != kFrom; piece = before[piece]) chain.push_back(piece);
+    for (std::uint32_t piece = end; piece != kNoElement && piece != kFrom; piece = before[piece])
+      chain.push_back(piece);
     std::reverse(chain.begin(), chain.end());
     return certain;
   }
@@ -366,7 +366,7 @@ std::vector<char> partsOverDrops(const NavigationMesh& mesh, const SurfaceTopolo
   std::vector<std::vector<std::uint32_t>> next(topology.componentCount);
   for (const DropLink& drop : mesh.drops) {
     const std::uint32_t from = topology.components[drop.fromTriangle], to = topology.components[drop.toTriangle];
-    if (from != kNone && to != kNone) next[from].push_back(to);
+    if (from != kNoElement && to != kNoElement) next[from].push_back(to);
   }
   std::vector<char> reached(topology.componentCount, 0);
   reached[part] = 1;

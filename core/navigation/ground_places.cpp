@@ -15,7 +15,6 @@ namespace footfall {
 using namespace detail;
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 constexpr std::uint64_t kGoldenRatio = 0x9E3779B97F4A7C15;
 
 /// The mixing function of SplitMix64 (Steele, Lea and Flood 2014).
@@ -38,7 +37,7 @@ std::vector<double> areaSums(const PathGround& ground) {
   double sum = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& f = mesh.triangles[t];
-    if (ground.topology.components[t] != kNone)
+    if (ground.topology.components[t] != kNoElement)
       sum += areaOf(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]);
     sums.push_back(sum);
   }
@@ -62,11 +61,11 @@ Vec3 placeIn(const std::array<Vec3, 3>& f, double first, double second) {
 /// Copies the vertices that a layer uses, in their order.
 class LayerVertices {
  public:
-  explicit LayerVertices(const NavigationMesh& mesh) : mesh_(mesh), numbers_(mesh.vertices.size(), kNone) {}
+  explicit LayerVertices(const NavigationMesh& mesh) : mesh_(mesh), numbers_(mesh.vertices.size(), kNoElement) {}
   void use(std::uint32_t vertex) { numbers_[vertex] = 0; }
   void copyTo(NavigationMesh& layer) {
     for (std::size_t v = 0; v < numbers_.size(); ++v) {
-      if (numbers_[v] == kNone) continue;
+      if (numbers_[v] == kNoElement) continue;
       numbers_[v] = static_cast<std::uint32_t>(layer.vertices.size());
       layer.vertices.push_back(mesh_.vertices[v]);
     }
@@ -129,7 +128,7 @@ NavigationMesh layerOf(const NavigationMesh& mesh, std::uint32_t layer) {
             ? Text(FOOTFALL_TEXT("the mesh has no layers; end the pipeline with a layer filter"))
             : Text(FOOTFALL_TEXT("there is no layer %1; give a number from 0 to %2"), layer, layerCount - 1));
   LayerVertices vertices(mesh);
-  std::vector<std::uint32_t> numbers(mesh.triangles.size(), kNone);
+  std::vector<std::uint32_t> numbers(mesh.triangles.size(), kNoElement);
   NavigationMesh only;
   only.frame = mesh.frame;
   only.layerCount = 1;
@@ -147,12 +146,12 @@ NavigationMesh layerOf(const NavigationMesh& mesh, std::uint32_t layer) {
   }
   only.layers.assign(only.triangles.size(), 0);
   const auto isIn = [&](const std::array<std::uint32_t, 2>& edge) {
-    return vertices[edge[0]] != kNone && vertices[edge[1]] != kNone;
+    return vertices[edge[0]] != kNoElement && vertices[edge[1]] != kNoElement;
   };
   for (const auto& edge : mesh.obstacleEdges)
     if (isIn(edge)) only.obstacleEdges.push_back(vertices[edge]);
   for (StepLink link : mesh.links) {
-    if (numbers[link.fromTriangle] == kNone || numbers[link.toTriangle] == kNone) continue;
+    if (numbers[link.fromTriangle] == kNoElement || numbers[link.toTriangle] == kNoElement) continue;
     link.from = vertices[link.from];
     link.to = vertices[link.to];
     link.fromTriangle = numbers[link.fromTriangle];
@@ -160,7 +159,7 @@ NavigationMesh layerOf(const NavigationMesh& mesh, std::uint32_t layer) {
     only.links.push_back(link);
   }
   for (DropLink drop : mesh.drops) {
-    if (numbers[drop.fromTriangle] == kNone || numbers[drop.toTriangle] == kNone) continue;
+    if (numbers[drop.fromTriangle] == kNoElement || numbers[drop.toTriangle] == kNoElement) continue;
     drop.from = vertices[drop.from];
     drop.fromTriangle = numbers[drop.fromTriangle];
     drop.toTriangle = numbers[drop.toTriangle];

@@ -10,6 +10,7 @@
 #include "core/exact/source_predicates.hpp"
 #include "core/navigation/path_ground.hpp"
 #include "core/navigation/plan_crossing.hpp"
+#include "core/navigation/plan_distance.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/ground.hpp"
 
@@ -17,15 +18,11 @@ namespace footfall {
 using namespace detail;
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
-
 /// The corner or the inside of the side at which a line leaves a triangle.
 struct TriangleExit {
   bool isCorner = false;
   int index = 0;
 };
-
-double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 class RayWalk {
  public:
@@ -89,11 +86,12 @@ class RayWalk {
                                      ? beyondCorner(triangle, exit.index, true)
                                      : ground_.topology.neighbours[triangle][static_cast<std::size_t>(exit.index)];
       // The place before a gap is the end until the ray is on ground again.
-      if (isGround && (exit.isCorner || next == kNone || !isOnGround(next))) leave(branch, exit, next == kNone);
-      if (next == kNone) return true;
+      if (isGround && (exit.isCorner || next == kNoElement || !isOnGround(next)))
+        leave(branch, exit, next == kNoElement);
+      if (next == kNoElement) return true;
       if (exit.isCorner) {
         const std::uint32_t other = beyondCorner(triangle, exit.index, false);
-        if (other != kNone && other != next) branches_.push_back({other, branch.node, branch.end, branch.border});
+        if (other != kNoElement && other != next) branches_.push_back({other, branch.node, branch.end, branch.border});
       }
       branch.triangle = next;
     }
@@ -132,7 +130,7 @@ class RayWalk {
   }
 
   /// The first triangle around a corner in which the line goes on, turning around it counter-clockwise or, where that
-  /// leads to a border, clockwise; or the other way round. kNone without any.
+  /// leads to a border, clockwise; or the other way round. kNoElement without any.
   [[nodiscard]] std::uint32_t beyondCorner(std::uint32_t triangle, int corner, bool isCounterClockwise) const {
     for (const bool isLeft : {isCounterClockwise, !isCounterClockwise}) {
       std::uint32_t t = triangle;
@@ -140,14 +138,14 @@ class RayWalk {
       while (true) {
         const int side = isLeft ? (i + 2) % 3 : i;
         const std::uint32_t next = ground_.topology.neighbours[t][static_cast<std::size_t>(side)];
-        if (next == kNone || next == triangle) break;
+        if (next == kNoElement || next == triangle) break;
         const int back = ground_.topology.sideBehind(t, side);
         t = next;
         i = isLeft ? back : (back + 1) % 3;
         if (goesOnFrom(t, i)) return t;
       }
     }
-    return kNone;
+    return kNoElement;
   }
 
   void leave(Branch& branch, const TriangleExit& exit, bool isBorder) const {

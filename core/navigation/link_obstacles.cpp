@@ -8,10 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/infinity.hpp"
+
 namespace footfall::detail {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kReach =
     1e-4;  // share of the agent's height by which the way extends beyond both borders, as walls stand there
 constexpr double kBeside = 1e-5;   // share of the agent's height on either side of the way

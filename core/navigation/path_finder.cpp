@@ -10,6 +10,7 @@
 #include "core/navigation/path_ground.hpp"
 #include "core/navigation/path_search.hpp"
 #include "core/navigation/plan_crossing.hpp"
+#include "core/navigation/plan_distance.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/path.hpp"
 
@@ -17,10 +18,7 @@ namespace footfall {
 using namespace detail;
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
 constexpr double kDegrees = 180 / 3.14159265358979323846;
-
-double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 double slopeDegrees(const NavigationMesh& mesh, std::uint32_t t) {
   const Triangle& f = mesh.triangles[t];
@@ -38,7 +36,7 @@ class Tracer {
     result_.points = {result_.start->position};
     std::uint32_t triangle = sides_.startTriangle;
     for (std::size_t i = 0; i < sides_.crossings.size(); ++i) {
-      const bool isBend = nextBend(i) != kNone && isEndOf(nextBend(i), i);
+      const bool isBend = nextBend(i) != kNoElement && isEndOf(nextBend(i), i);
       const auto [entered, side, root] = sides_.crossings[i];
       const Vec3 before = crossing(i, triangle, topology_.sideBehind(entered, side), true);
       const Vec3 behind = crossing(i, entered, side, false);
@@ -50,7 +48,7 @@ class Tracer {
   }
 
  private:
-  /// The corner at which the straight piece through crossing i ends; kNone for the end of the path.
+  /// The corner at which the straight piece through crossing i ends; kNoElement for the end of the path.
   [[nodiscard]] std::uint32_t nextBend(std::size_t i) const {
     const auto& all = sides_.crossings;
     const std::uint32_t root = all[i].root;
@@ -75,9 +73,9 @@ class Tracer {
                &second = mesh_.vertices[mesh_.triangles[triangle][(side + 1) % 3]];
     const Vec3 &l = isTurned ? second : first, &r = isTurned ? first : second;
     for (const std::uint32_t corner : {root, bend})
-      if (corner != kNone && (corner == left || corner == right)) return corner == left ? l : r;
-    const Vec3& from = root == kNone ? result_.start->position : point(root);
-    const Vec3& to = bend == kNone ? result_.end->position : point(bend);
+      if (corner != kNoElement && (corner == left || corner == right)) return corner == left ? l : r;
+    const Vec3& from = root == kNoElement ? result_.start->position : point(root);
+    const Vec3& to = bend == kNoElement ? result_.end->position : point(bend);
     return pointBetween(l, r, crossingParameter(from, to, l, r));
   }
 

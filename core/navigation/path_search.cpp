@@ -10,17 +10,14 @@
 
 #include "core/exact/source_predicates.hpp"
 #include "core/navigation/plan_crossing.hpp"
+#include "core/navigation/plan_distance.hpp"
 
 namespace footfall::detail {
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceTopology::kNone;
-
-double planDistance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-/// A directed line through two given points; points are fans, or kNone for the start.
+/// A directed line through two given points; points are fans, or kNoElement for the start.
 struct Line {
-  std::uint32_t from = kNone, to = kNone;
+  std::uint32_t from = kNoElement, to = kNoElement;
 };
 
 /// Seen from `root`, through the side of `triangle`, between the lines `left` and `right`. Looking into the triangle,
@@ -29,13 +26,13 @@ struct Line {
 struct Node {
   double length = 0;  ///< length from the start to the root
   std::uint32_t triangle = 0;
-  std::uint32_t root = kNone;
+  std::uint32_t root = kNoElement;
   Line left, right;
   std::int32_t parent = -1;
   std::uint8_t side = 0;
   bool leftAtEnd = false, rightAtEnd = false;  ///< the side is in sight up to this end
   bool isFinal = false;                        ///< the goal is in sight, from the root or from `bend`
-  std::uint32_t bend = kNone;
+  std::uint32_t bend = kNoElement;
 };
 
 class Search {
@@ -74,7 +71,7 @@ class Search {
 
  private:
   [[nodiscard]] const Vec3& point(std::uint32_t fan) const {
-    return fan == kNone ? start_ : mesh_.vertices[topology_.fanVertices[fan]];
+    return fan == kNoElement ? start_ : mesh_.vertices[topology_.fanVertices[fan]];
   }
   [[nodiscard]] int sideOf(const Line& line, const Vec3& p) const {
     return facing(point(line.from), point(line.to), p);
@@ -96,7 +93,7 @@ class Search {
     }
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t behind = topology_.neighbours[t][i];
-      if (behind != kNone && facing(point(topology_.fans[t][i]), point(topology_.fans[t][(i + 1) % 3]), p) == 0)
+      if (behind != kNoElement && facing(point(topology_.fans[t][i]), point(topology_.fans[t][(i + 1) % 3]), p) == 0)
         found.push_back(behind);
     }
     return found;
@@ -107,7 +104,7 @@ class Search {
       const std::uint32_t t = found[next];
       for (int i = 0; i < 3; ++i) {
         const std::uint32_t behind = topology_.neighbours[t][i];
-        if (behind == kNone || (topology_.fans[t][i] != fan && topology_.fans[t][(i + 1) % 3] != fan)) continue;
+        if (behind == kNoElement || (topology_.fans[t][i] != fan && topology_.fans[t][(i + 1) % 3] != fan)) continue;
         if (std::find(found.begin(), found.end(), behind) == found.end()) found.push_back(behind);
       }
     }
@@ -117,15 +114,16 @@ class Search {
   void leave(std::uint32_t t, const std::vector<std::uint32_t>& startTriangles) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t behind = topology_.neighbours[t][i];
-      if (behind == kNone || std::find(startTriangles.begin(), startTriangles.end(), behind) != startTriangles.end())
+      if (behind == kNoElement ||
+          std::find(startTriangles.begin(), startTriangles.end(), behind) != startTriangles.end())
         continue;
       const std::uint32_t right = topology_.fans[t][i], left = topology_.fans[t][(i + 1) % 3];
       const Vec3 &a = point(right), &b = point(left);
       // The start is on this side or its line, but not at a shared corner: it is seen from other triangles.
       if (facing(a, b, start_) == 0) continue;
       Node node;
-      node.left = {kNone, left};
-      node.right = {kNone, right};
+      node.left = {kNoElement, left};
+      node.right = {kNoElement, right};
       node.leftAtEnd = node.rightAtEnd = true;
       push(node, t, i, -1);
     }
@@ -134,10 +132,10 @@ class Search {
   /// Enters what lies behind `side` of `t`.
   void push(Node node, std::uint32_t t, int side, std::int32_t parent) {
     node.triangle = topology_.neighbours[t][side];
-    if (node.triangle == kNone) return;
+    if (node.triangle == kNoElement) return;
     node.side = static_cast<std::uint8_t>(topology_.sideBehind(t, side));
     node.parent = parent;
-    if (node.root != kNone) {
+    if (node.root != kNoElement) {
       if (isOvertaken(node)) return;
       double& shortest = rootLengths_[node.root];
       shortest = std::min(shortest, node.length);
@@ -152,7 +150,7 @@ class Search {
   /// numbers, fewer than 2^20 in any mesh that fits into memory: they are off by less than 2^-32 of themselves, and
   /// what is only longer by this may be as short and stays.
   [[nodiscard]] bool isOvertaken(const Node& node) const {
-    return node.root != kNone && node.length > rootLengths_[node.root] * (1 + 0x1p-31);
+    return node.root != kNoElement && node.length > rootLengths_[node.root] * (1 + 0x1p-31);
   }
 
   /// A lower bound of the length from the root through the interval to the goal, but for rounding.
@@ -190,7 +188,7 @@ class Search {
     const std::uint32_t right = topology_.fans[t][rightSide], apex = topology_.fans[t][leftSide];
     const bool canTurnLeft = node.leftAtEnd && node.root != left && topology_.isOpen[left] != 0;
     const bool canTurnRight = node.rightAtEnd && node.root != right && topology_.isOpen[right] != 0;
-    if (isGoal(t)) reachGoal(node, index, canTurnLeft ? left : kNone, canTurnRight ? right : kNone);
+    if (isGoal(t)) reachGoal(node, index, canTurnLeft ? left : kNoElement, canTurnRight ? right : kNoElement);
 
     const int ofLeft = node.root == left ? -1 : sideOf(node.left, point(apex));
     const int ofRight = node.root == right ? 1 : sideOf(node.right, point(apex));
@@ -242,14 +240,14 @@ class Search {
     last.isFinal = true;
     last.parent = index;
     if (node.root != fans[node.side] && sideOf(node.left, goal_) > 0) {
-      if (leftBend == kNone) return;
+      if (leftBend == kNoElement) return;
       last.bend = leftBend;
     } else if (node.root != fans[(node.side + 1) % 3] && sideOf(node.right, goal_) < 0) {
-      if (rightBend == kNone) return;
+      if (rightBend == kNoElement) return;
       last.bend = rightBend;
     }
-    if (last.bend != kNone) last.length += planDistance(point(node.root), point(last.bend));
-    last.length += planDistance(point(last.bend == kNone ? node.root : last.bend), goal_);
+    if (last.bend != kNoElement) last.length += planDistance(point(node.root), point(last.bend));
+    last.length += planDistance(point(last.bend == kNoElement ? node.root : last.bend), goal_);
     open_.emplace(-last.length, static_cast<std::int32_t>(nodes_.size()));
     nodes_.push_back(last);
   }

@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
+#include "core/base/infinity.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
@@ -49,8 +50,6 @@ struct SeparationGround {
 
 using namespace detail;
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The box of what may have an excess of no more than `most` towards a border.
 Box boxOf(const SurfaceBorder& e, double most, double step, double gap) {

@@ -7,12 +7,11 @@
 #include <limits>
 #include <vector>
 
+#include "core/base/infinity.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 std::array<Vec3, 3> cornersOf(const NavigationMesh& mesh, std::uint32_t t) {
   const Triangle& f = mesh.triangles[t];
