@@ -12,10 +12,10 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
-#include "core/distributed/intermediate.hpp"
 #include "core/filters/filter.hpp"
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
+#include "tests/support/intermediate.hpp"
 
 namespace {
 

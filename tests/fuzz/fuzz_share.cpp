@@ -4,9 +4,9 @@
 #include <string>
 
 #include "core/distributed/cell_share.hpp"
-#include "core/distributed/intermediate.hpp"
 #include "core/distributed/share_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
+#include "tests/support/intermediate.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

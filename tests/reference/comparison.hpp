@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/assembly/exact_view.hpp"
+#include "tests/reference/exact_view.hpp"
 #include "tests/reference/walkable_area.hpp"
 
 namespace footfall::reference {

@@ -12,13 +12,13 @@
 #include <random>
 #include <set>
 
-#include "core/assembly/exact_view.hpp"
 #include "core/assembly/obstacle_split.hpp"
 #include "core/base/box_tree.hpp"
 #include "core/filters/layers/plan_overlaps.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "tests/reference/exact_view.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"

@@ -6,9 +6,9 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/distributed/intermediate.hpp"
 #include "core/io/export.hpp"
 #include "footfall/io.hpp"
+#include "tests/support/intermediate.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup_generators.hpp"
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "core/assembly/exact_view.hpp"
 #include "core/assembly/walkable_state.hpp"
 #include "footfall/pipeline.hpp"
+#include "tests/reference/exact_view.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"

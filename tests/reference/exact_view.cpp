@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/assembly/exact_view.hpp"
+#include "tests/reference/exact_view.hpp"
 
 #include "core/assembly/walkable_state.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/distributed/intermediate.hpp"
+#include "tests/support/intermediate.hpp"
 
 #include <charconv>
 #include <cmath>
