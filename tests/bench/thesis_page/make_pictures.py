@@ -58,7 +58,7 @@ def partitions(footfall, samples, folder):
 def clearance(footfall, samples, folder):
     """Figure 34: the ground of the docks behind the vertical clearance filter."""
     result, environment = folder / "docks.obj", samples / "docks" / "docks.obj"
-    run([footfall, "run", str(environment), "--quiet", "--filter", "DegeneracyFilter", "--filter", "SlopeFilter 45",
+    run([footfall, "run", str(environment), "--quiet", "--filter", "DegeneracyFilter", "--filter", "SlopeFilter 45 0",
          "--filter", "VerticalClearanceFilter 2", "-o", str(result)])
     y_up = json.loads(run([footfall, "cells", str(environment), "--json"]))["environment"]["up"].lower() == "y"
     save(folder, "partition-34b-docks.png", draw(result, y_up, True),
@@ -74,7 +74,7 @@ def distances(footfall, samples, folder):
             if line and not line.startswith("#")
         ]
         value = {line.split()[0]: line.split()[1] for line in lines if len(line.split()) > 1}
-        first = ["DegeneracyFilter", f"SlopeFilter {value['SlopeFilter']}", "DuplicationFilter 0.005"]
+        first = ["DegeneracyFilter", f"SlopeFilter {value['SlopeFilter']} 0", "DuplicationFilter 0.005"]
         clearance_filter = f"VerticalClearanceFilter {value['VerticalClearanceFilter']}"
         last = ["DegeneracyFilter", "DuplicationFilter 0.005", f"AreaFilter {value['AreaFilter']}"]
         pipelines = {
