@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "core/base/counted_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
@@ -149,7 +148,7 @@ std::string format(const Json& entries) {
               2);
   for (const Json& e : entries) {
     const int depth = e["depth"];
-    const auto ms = [&](const char* key) { return formatted(e[key].get<double>(), "%.3g"); };
+    const auto ms = [&](const char* key) { return number(e[key].get<double>()); };
     std::vector<std::string> row{grouped(e["points"]), e["format"],    depth == 0 ? "-" : std::to_string(depth),
                                  grouped(e["bytes"]),  ms("write_ms"), ms("write_cpu_ms"),
                                  ms("write_mb_s"),     ms("read_ms"),  ms("read_cpu_ms"),
