@@ -3,12 +3,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <cmath>
-#include <numbers>
 
-#include "core/environment/coordinate_grid.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/pipeline.hpp"
+#include "tests/support/changed_level.hpp"
 #include "tests/unit/environment_files.hpp"
 
 using namespace footfall;
@@ -18,29 +17,6 @@ using namespace footfall::test;
 namespace {
 
 constexpr double kSameArea = 0.001, kSameShare = 0.01;  // of the area; of the share itself
-
-struct Change {
-  double degrees = 0, scale = 1, offset = 0;  ///< about the vertical; metres per unit become fewer; units in x and y
-};
-
-/// Applies a modeller's transform of a node, in doubles, and then the treatment of placed coordinates by import.
-std::shared_ptr<const Environment> changed(const Environment& level, const Change& change) {
-  auto result = std::make_shared<Environment>(level);
-  const double radians = change.degrees * std::numbers::pi / 180, c = std::cos(radians), s = std::sin(radians);
-  GridExtent extent;
-  for (Vec3& p : result->vertices) {
-    p = {change.scale * (c * p.x - s * p.y) + change.offset, change.scale * (s * p.x + c * p.y) + change.offset,
-         change.scale * p.z};
-    extent.includeVertex(p);
-  }
-  for (const Triangle& triangle : result->triangles)
-    for (const std::uint32_t corner : triangle) extent.include(result->vertices[corner]);
-  result->metresPerUnit = level.metresPerUnit / change.scale;
-  ImportOptions options;
-  options.grid = GridChoice::On;
-  putOnGrid(*result, chosenGridStep(options, true, extent, result->metresPerUnit), {});
-  return result;
-}
 
 struct Figures {
   double squareMetres = 0, share = 0;
@@ -69,7 +45,7 @@ class TestTurnedLevels : public QObject {
     QTest::addColumn<double>("degrees");
     QTest::addColumn<double>("scale");
     QTest::addColumn<double>("offset");
-    const auto add = [](const char* name, const char* how, const Change& change) {
+    const auto add = [](const char* name, const char* how, const LevelChange& change) {
       QTest::addRow("%s %s", name, how) << QString(name) << change.degrees << change.scale << change.offset;
     };
     for (const char* name : {"house", "villa", "arena", "tower", "rooms", "docks", "nav_test", "level", "ot", "turbine",
@@ -95,7 +71,7 @@ class TestTurnedLevels : public QObject {
     const auto level = importEnvironment(path.toStdString());
     if (known_.name != name) known_ = {name, figuresOf(level)};
     const Figures& original = known_.figures;
-    const auto other = changed(*level, {degrees, scale, offset});
+    const auto other = changedLevel(*level, {degrees, scale, offset});
     const Figures turned = figuresOf(other);
     const QString shown = QStringLiteral("area %1 for %2 m2, share %3 for %4, %5 welded")
                               .arg(turned.squareMetres)
