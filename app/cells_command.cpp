@@ -14,6 +14,8 @@
 #include "core/pipeline/runner.hpp"
 #include "core/report/cells_report.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 
 namespace footfall::app {

@@ -6,6 +6,7 @@
 #include "app/commands.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 
 namespace footfall::app {
 using namespace detail;

@@ -11,6 +11,7 @@
 #include "core/base/worker_arena.hpp"
 #include "core/distributed/job_folder.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/pipeline.hpp"
 
 namespace footfall::app {

@@ -13,6 +13,7 @@
 #include "bindings.hpp"
 #include "definitions.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
 #include "interruptible.hpp"

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/filters/descriptors/descriptors.hpp"
+#include "footfall/filter.hpp"
 
 namespace footfall {
 

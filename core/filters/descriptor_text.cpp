@@ -10,6 +10,8 @@
 #include <sstream>
 #include <vector>
 
+#include "footfall/filter.hpp"
+
 namespace footfall::detail {
 namespace {
 

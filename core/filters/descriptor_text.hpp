@@ -5,8 +5,12 @@
 #include <string>
 #include <string_view>
 
-#include "footfall/filter.hpp"
 #include "footfall/text.hpp"
+
+namespace footfall {
+struct FilterDescriptor;
+struct ParameterDescriptor;
+}  // namespace footfall
 
 namespace footfall::detail {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/exact/source_predicates.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 

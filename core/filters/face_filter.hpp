@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
-#include "footfall/filter.hpp"
 #include "footfall/statistics.hpp"
+
+namespace footfall {
+struct FilterDescriptor;
+}
 
 namespace footfall::detail {
 

@@ -14,6 +14,8 @@
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "footfall/edit.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 

@@ -12,11 +12,14 @@
 #include "core/exact/grid.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/errors.hpp"
-#include "footfall/filter.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
 #include "footfall/text.hpp"
+
+namespace footfall {
+struct FilterDescriptor;
+}
 
 namespace footfall::detail {
 

@@ -12,6 +12,8 @@
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -18,6 +18,8 @@
 #include "core/mesh/mesh_topology.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/inspect.hpp"
 
 namespace footfall {

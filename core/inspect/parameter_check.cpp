@@ -12,6 +12,8 @@
 #include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
 #include "core/inspect/upright.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

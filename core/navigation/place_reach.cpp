@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/path.hpp"
 
 namespace footfall {

@@ -7,6 +7,8 @@
 #include <stdexcept>
 
 #include "core/partitioning/floor_work.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/base/poll.hpp"
 #include "core/exact/source_mesh.hpp"
 #include "core/partitioning/partition.hpp"
-#include "footfall/filter.hpp"
+
+namespace footfall {
+enum class FilterType : std::uint8_t;
+}
 
 namespace footfall::detail {
 

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/block_structure.hpp"
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
+
 namespace footfall::detail {
 
 Text placeOfStep(const Pipeline& pipeline, std::size_t step) {

@@ -11,6 +11,8 @@
 #include "core/filters/filter_registry.hpp"
 #include "core/pipeline/cell_run.hpp"
 #include "core/pipeline/result_cache.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

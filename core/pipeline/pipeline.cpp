@@ -10,6 +10,8 @@
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/agent.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall {
 using namespace detail;

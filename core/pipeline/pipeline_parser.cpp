@@ -12,6 +12,7 @@
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/pipeline.hpp"
 
 namespace footfall {

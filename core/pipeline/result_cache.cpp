@@ -10,6 +10,7 @@
 
 #include "core/pipeline/state_size.hpp"
 #include "footfall/edit.hpp"
+#include "footfall/filter.hpp"
 
 namespace footfall::detail {
 namespace {

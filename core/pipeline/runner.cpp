@@ -16,6 +16,7 @@
 #include "core/pipeline/block_structure.hpp"
 #include "core/pipeline/parallel_block.hpp"
 #include "core/pipeline/result_cache.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/version.hpp"
 
 namespace footfall::detail {

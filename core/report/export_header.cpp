@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 
 namespace footfall {

@@ -14,6 +14,8 @@
 #include "core/mesh/storey_names.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/path.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"

@@ -24,6 +24,7 @@
 #include "core/mesh/gap_bridges.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "core/report/layers_text.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 #include "footfall/version.hpp"

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "footfall/filter.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 

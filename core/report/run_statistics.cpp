@@ -14,6 +14,7 @@
 #include "core/mesh/storey_names.hpp"
 #include "core/report/layers_text.hpp"
 #include "core/report/text_table.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"

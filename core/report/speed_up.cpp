@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "footfall/filter.hpp"
+
 namespace footfall::detail {
 namespace {
 

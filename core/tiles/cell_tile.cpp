@@ -13,6 +13,8 @@
 #include "core/pipeline/block_structure.hpp"
 #include "core/tiles/cell_links.hpp"
 #include "core/tiles/tile_geometry.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {

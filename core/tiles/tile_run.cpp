@@ -15,6 +15,8 @@
 #include "core/tiles/tile_regions.hpp"
 #include "core/tiles/tile_stage.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/version.hpp"
 
 namespace footfall::detail {

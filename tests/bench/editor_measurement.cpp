@@ -5,6 +5,7 @@
 
 #include "core/base/process_usage.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/view_watch.hpp"
 #include "tests/editor/editor_driver.hpp"

@@ -10,6 +10,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/edit.hpp"
+#include "footfall/filter.hpp"
 
 namespace footfall::bench {
 using namespace detail;

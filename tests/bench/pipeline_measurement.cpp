@@ -12,6 +12,8 @@
 #include "core/base/triangle_tree.hpp"
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 
 namespace footfall::bench {

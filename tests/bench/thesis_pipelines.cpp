@@ -7,6 +7,8 @@
 
 #include "core/base/number_text.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/bench/pipeline_measurement.hpp"
 
 namespace footfall::bench {

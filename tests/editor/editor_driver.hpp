@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
+#include "footfall/filter.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/window/editor_application.hpp"
 #include "ui/window/editor_window.hpp"

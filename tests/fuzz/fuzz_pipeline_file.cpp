@@ -1,5 +1,6 @@
 // Any bytes as a pipeline file: a pipeline that is the same when it is written and read, or one line of error.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "footfall/filter.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
 #include "tests/fuzz/fuzz_target.hpp"

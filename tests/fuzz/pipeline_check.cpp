@@ -8,6 +8,7 @@
 
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/filter.hpp"
 #include "tests/reference/layer_optimum.hpp"
 #include "tests/reference/product_check.hpp"
 #include "tests/support/run_filters.hpp"

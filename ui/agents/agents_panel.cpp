@@ -9,6 +9,7 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "footfall/filter.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/flow_layout.hpp"

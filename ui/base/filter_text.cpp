@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {

@@ -5,7 +5,9 @@
 #include <QString>
 #include <string_view>
 
-#include "footfall/filter.hpp"
+namespace footfall {
+struct FilterDescriptor;
+}
 
 namespace footfall::ui {
 

@@ -8,7 +8,7 @@
 #include <array>
 
 #include "footfall/environment.hpp"
-#include "footfall/filter.hpp"
+#include "footfall/parameter.hpp"
 
 namespace footfall::ui {
 

@@ -5,7 +5,7 @@
 #include <QLineEdit>
 #include <optional>
 
-#include "footfall/filter.hpp"
+#include "footfall/parameter.hpp"
 #include "ui/base/level_units.hpp"
 
 namespace footfall::ui {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string_view>
 
-#include "footfall/filter.hpp"
+#include "footfall/parameter.hpp"
 
 namespace footfall::ui {
 

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "core/pipeline/runner.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
 

@@ -7,6 +7,8 @@
 #include <exception>
 #include <utility>
 
+#include "footfall/filter.hpp"
+
 namespace footfall::ui {
 namespace {
 

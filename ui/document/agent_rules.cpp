@@ -10,6 +10,8 @@
 
 #include "core/pipeline/block_structure.hpp"
 #include "footfall/agent.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/translated.hpp"
 
 namespace footfall::ui {

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "footfall/filter.hpp"
 #include "ui/document/document.hpp"
 
 namespace footfall::ui {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/document/agent_rules.hpp"
 #include "ui/document/edit_text.hpp"
 

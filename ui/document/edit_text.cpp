@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"

@@ -8,6 +8,7 @@
 
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/icon.hpp"

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "footfall/filter.hpp"
 #include "ui/base/translated.hpp"
 #include "ui/document/edit_text.hpp"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "footfall/filter.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/filters/filter_places.hpp"

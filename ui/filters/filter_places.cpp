@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "core/pipeline/block_structure.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/translated.hpp"
 #include "ui/document/agent_rules.hpp"

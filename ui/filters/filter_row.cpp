@@ -8,6 +8,8 @@
 #include <algorithm>
 
 #include "core/filters/descriptor_text.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/fitted_labels.hpp"

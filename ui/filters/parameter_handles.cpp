@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/filters/measure_place.hpp"
 

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"

@@ -7,9 +7,13 @@
 #include <cstdint>
 #include <optional>
 
-#include "footfall/filter.hpp"
 #include "ui/view/scene_picker.hpp"
 #include "ui/view/view_overlay.hpp"
+
+namespace footfall {
+struct FilterDescriptor;
+struct ParameterDescriptor;
+}  // namespace footfall
 
 namespace footfall::ui {
 

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/base/translated.hpp"
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/filters/seed_edits.hpp"
 
 namespace footfall::ui {

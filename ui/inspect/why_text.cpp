@@ -4,6 +4,7 @@
 #include <QStringList>
 
 #include "core/report/inspection_report.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"
 

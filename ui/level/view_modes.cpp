@@ -10,6 +10,8 @@
 
 #include "core/base/poll.hpp"
 #include "core/base/worker_arena.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
 

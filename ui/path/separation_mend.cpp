@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/namespaces.hpp"
 

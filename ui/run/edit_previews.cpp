@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <exception>
 
+#include "footfall/filter.hpp"
+
 namespace footfall::ui {
 namespace {
 

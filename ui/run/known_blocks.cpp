@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <memory>
 
+#include "footfall/filter.hpp"
+
 namespace footfall::ui {
 namespace {
 

@@ -6,6 +6,8 @@
 
 #include "core/base/parallel.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/coarse_geometry.hpp"
 

@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "footfall/filter.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/run/run_progress.hpp"
 

@@ -10,6 +10,8 @@
 #include "core/distributed/folder_exchange.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/run/run_content.hpp"

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "footfall/filter_type.hpp"
 #include "ui/base/palette.hpp"
 #include "ui/base/theme.hpp"
 

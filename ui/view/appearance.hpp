@@ -7,7 +7,9 @@
 #include <QString>
 #include <cstdint>
 
-#include "footfall/filter.hpp"
+namespace footfall {
+enum class FilterType : std::uint8_t;
+}
 
 namespace footfall::ui {
 

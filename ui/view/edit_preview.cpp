@@ -8,6 +8,7 @@
 
 #include "core/base/vector.hpp"
 #include "core/mesh/adjacency.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/headroom_preview.hpp"
 #include "ui/view/link_preview.hpp"

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/triangle_tree.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {

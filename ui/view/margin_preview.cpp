@@ -9,6 +9,7 @@
 
 #include "core/base/triangle_tree.hpp"
 #include "core/base/vector.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,6 +5,7 @@
 #include <QEvent>
 #include <algorithm>
 
+#include "footfall/filter.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/document/document.hpp"
 #include "ui/filters/filter_list.hpp"

@@ -4,7 +4,9 @@
 
 #include <QTextBrowser>
 
-#include "footfall/filter.hpp"
+namespace footfall {
+struct FilterDescriptor;
+}
 
 namespace footfall::ui {
 

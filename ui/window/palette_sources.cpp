@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 
+#include "footfall/filter.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/base/commands.hpp"
 #include "ui/base/filter_text.hpp"

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "footfall/filter.hpp"
 #include "ui/view/appearance.hpp"
 
 namespace footfall::ui {

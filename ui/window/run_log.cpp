@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "core/io/export.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/number_text.hpp"

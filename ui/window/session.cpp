@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/up_axis.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/agent_rules.hpp"

@@ -1,6 +1,8 @@
 // Filters that say where an agent of given measures can be, and where it can go.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 

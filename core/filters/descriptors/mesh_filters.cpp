@@ -1,6 +1,8 @@
 // Filters that change how the walkable area is made of triangles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 

@@ -1,6 +1,8 @@
 // Strategies, which begin a parallel block, and Collapse, which ends it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 

@@ -4,59 +4,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "footfall/parameter.hpp"
+
 namespace footfall {
 
-enum class ParameterType { Real, Integer, Boolean };
-
-/// The measure of a value; lengths and areas are in the environment's units.
-enum class Unit { None, Degrees, Length, Area, Count };
-
-/// A parameter of a filter.
-struct ParameterDescriptor {
-  std::string_view name;   ///< identifier, e.g. "max_slope"
-  std::string_view label;  ///< shown to people, e.g. "Maximum slope"
-  std::string_view help;   ///< one or two sentences
-  ParameterType type = ParameterType::Real;
-  Unit unit = Unit::None;
-  double defaultValue = 0;  ///< lengths and areas: in metres; the default pipeline converts them. Booleans: 0 or 1
-  double minimum = 0;
-  double maximum = 0;
-  bool minimumOpen = false;  ///< the minimum itself is out of range
-  bool maximumOpen = false;
-  /// May be left out in a pipeline file; then the default holds. Optional parameters are the last ones.
-  bool optional = false;
-  /// Left out, an optional parameter is what this earlier one is (its place); -1: its default holds.
-  int follows = -1;
-};
-
-/// The types by which code decides; files and people use the names of filters. The order is that of
-/// filterDescriptors().
-enum class FilterType : std::uint8_t {
-  Duplication,
-  Degeneracy,
-  Slope,
-  VerticalClearance,
-  Step,
-  Radius,
-  Drop,
-  Reachable,
-  Area,
-  Simplification,
-  LayerSubdivision,
-  Rounding,
-  GridStrategy,
-  RecursiveStrategy,
-  SortedRecursiveStrategy,
-  HeightAwareStrategy,
-  AutoStrategy,
-  Collapse
-};
+enum class FilterType : std::uint8_t;  // footfall/filter_type.hpp names them
 
 /// A strategy begins a parallel block, and Collapse ends it.
 enum class FilterKind { Filter, Strategy, Collapse };

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "footfall/environment.hpp"
-#include "footfall/filter.hpp"
 #include "footfall/text.hpp"
 
 namespace footfall {
+
+struct FilterDescriptor;
+struct ParameterDescriptor;
 
 /// A filter with its parameters.
 struct PipelineStep {

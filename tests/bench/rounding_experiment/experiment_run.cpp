@@ -13,6 +13,8 @@
 #include "core/filters/filter.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::bench {
 using namespace detail;

@@ -7,6 +7,7 @@
 #include "core/base/vector.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/partitioning/strategies.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/bench/rounding_experiment/cut_repair.hpp"
 
 using namespace footfall;

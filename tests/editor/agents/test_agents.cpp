@@ -1,5 +1,7 @@
 // Agents: sizes that the filters follow, results that are there at once, a table to compare them.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"

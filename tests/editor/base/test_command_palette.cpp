@@ -1,5 +1,7 @@
 // The command palette, the list of keys and the help panel, by keyboard and mouse.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/base/filter_text.hpp"

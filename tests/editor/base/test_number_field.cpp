@@ -3,6 +3,8 @@
 #include <QVBoxLayout>
 #include <QWheelEvent>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 
 using namespace footfall;

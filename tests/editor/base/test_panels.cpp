@@ -5,6 +5,8 @@
 #include <QSet>
 #include <QToolBar>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/base/panel_dock.hpp"

@@ -3,6 +3,8 @@
 #include <atomic>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
 

@@ -5,6 +5,8 @@
 #include <set>
 
 #include "core/pipeline/pipeline_fragment.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agent_edits.hpp"

@@ -3,6 +3,7 @@
 #include <QDropEvent>
 #include <QMimeData>
 
+#include "footfall/filter.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/run/stale_badge.hpp"
 

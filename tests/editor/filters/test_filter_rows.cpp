@@ -1,5 +1,7 @@
 // Rows of the filter list: what they show of the run that is shown, how they open, are dragged, added and mended.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 
 using namespace footfall;

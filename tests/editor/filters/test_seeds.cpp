@@ -4,6 +4,8 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/filters/seed_edits.hpp"
 #include "ui/filters/seed_feature.hpp"

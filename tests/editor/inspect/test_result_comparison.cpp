@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/inspect/compare_feature.hpp"
 

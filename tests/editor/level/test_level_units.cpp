@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/number_text.hpp"
 #include "ui/document/document.hpp"

@@ -3,6 +3,7 @@
 #include <QStandardItemModel>
 #include <cmath>
 
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/level/level_look.hpp"
 

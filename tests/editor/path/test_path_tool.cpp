@@ -5,6 +5,8 @@
 #include <QPushButton>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/path/path_feature.hpp"
 

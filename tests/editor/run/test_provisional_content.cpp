@@ -1,5 +1,6 @@
 // The content of the view between an edit and the result.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/run/provisional_content.hpp"
 

@@ -1,6 +1,8 @@
 // Runs in the background: pauses, overtaking, events and states.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/import.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 
 using namespace footfall;

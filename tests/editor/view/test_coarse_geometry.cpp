@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "footfall/filter_type.hpp"
 #include "ui/view/coarse_geometry.hpp"
 
 using namespace footfall;

@@ -5,6 +5,8 @@
 
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/view/edit_preview.hpp"
 

@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <cmath>
 
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/run/provisional_content.hpp"
 

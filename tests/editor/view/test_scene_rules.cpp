@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/level/level_look.hpp"
 

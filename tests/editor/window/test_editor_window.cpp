@@ -6,6 +6,8 @@
 
 #include "core/io/export.hpp"
 #include "core/io/import.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 

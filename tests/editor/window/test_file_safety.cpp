@@ -10,6 +10,8 @@
 #include <QSettings>
 #include <QSignalSpy>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/window/export_dialog.hpp"
 

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "core/io/import.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "tests/editor/editor_driver.hpp"

@@ -7,6 +7,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/pipeline.hpp"
 
 using namespace footfall;

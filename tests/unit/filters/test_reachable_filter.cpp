@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"

@@ -6,6 +6,7 @@
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
+#include "footfall/filter.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
 

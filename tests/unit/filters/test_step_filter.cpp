@@ -10,6 +10,8 @@
 #include "core/filters/filter.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/io.hpp"
 #include "footfall/path.hpp"
 #include "footfall/pipeline.hpp"

@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/support/soup_generators.hpp"
 #include "tests/unit/inspect/explained_places.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "core/partitioning/strategies.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"

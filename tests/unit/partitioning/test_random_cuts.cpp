@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/unit/environment_files.hpp"
 #include "tests/unit/partitioning/checked_cuts.hpp"

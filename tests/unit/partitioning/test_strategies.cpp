@@ -8,6 +8,7 @@
 #include <set>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/support/run_with_threads.hpp"
 #include "tests/unit/partitioning/partitioned_levels.hpp"
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter_type.hpp"
 #include "tests/unit/partitioning/partitioned_levels.hpp"
 
 using namespace footfall;

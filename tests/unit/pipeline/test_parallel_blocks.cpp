@@ -14,6 +14,7 @@
 #include "core/io/import.hpp"
 #include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "tests/support/soup_generators.hpp"
 
 using namespace footfall;

@@ -12,6 +12,8 @@
 #include <string>
 
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
 

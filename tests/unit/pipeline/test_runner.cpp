@@ -12,6 +12,7 @@
 
 #include "core/pipeline/runner.hpp"
 #include "footfall/errors.hpp"
+#include "footfall/filter.hpp"
 #include "footfall/pipeline.hpp"
 
 using namespace footfall;
