@@ -22,11 +22,15 @@ struct CorridorsOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
   std::optional<double> narrowerThan;  ///< in the file's units
+  std::optional<double> widerThan;     ///< in the file's units; empty: kNarrowest
   CorridorOptions map;
   std::string output;  ///< empty: no file
   int threads = 0;
   bool quiet = false;
 };
+
+/// Metres: narrower slits between modelled things are no passages for anybody, and levels have hundreds of them.
+constexpr double kNarrowest = 0.1;
 
 bool isGeoJson(const std::string& path) { return path.ends_with(".geojson"); }
 
@@ -35,6 +39,8 @@ void checkCorridors(const CorridorsOptions& options) {
   targetsBeside(options.environment, options.pipeline).add(options.output, FOOTFALL_TEXT("the corridor map"));
   if (options.narrowerThan && !(std::isfinite(*options.narrowerThan) && *options.narrowerThan > 0))
     throw InputError("--narrower-than: must be a width in the file's units; give a number above 0");
+  if (options.widerThan && !(std::isfinite(*options.widerThan) && *options.widerThan >= 0))
+    throw InputError("--wider-than: must be a width in the file's units; give a number that is not negative");
 }
 
 /// Lengths to six digits, which are enough to read.
@@ -74,16 +80,23 @@ void findCorridors(const CorridorsOptions& options) {
     writeFileSafely(options.output, isGeoJson(options.output) ? formatCorridorsGeoJson(map) : formatCorridorsJson(map));
   session.end();
   const double most = options.narrowerThan.value_or(std::numeric_limits<double>::infinity());
+  const double least = options.widerThan.value_or(kNarrowest / environment->metresPerUnit);
   std::string lines;
-  std::size_t count = 0;
+  std::size_t count = 0, slits = 0;
   for (const Bottleneck& b : map.bottlenecks) {
     if (b.width >= most) break;
+    if (b.width <= least) {
+      ++slits;
+      continue;
+    }
     lines += lineOf(b, map);
     ++count;
   }
   print("corridor map of " + counted(map.vertices.size(), "vertex", "vertices") + " and " +
         counted(map.edges.size(), "edge", "edges") + "; " + counted(count, "bottleneck", "bottlenecks") +
-        (options.narrowerThan ? " narrower than " + shownNumber(*options.narrowerThan) : "") + '\n' + lines);
+        (options.narrowerThan ? " narrower than " + shownNumber(*options.narrowerThan) : "") +
+        (slits > 0 ? "; left out: " + std::to_string(slits) + ", at most " + shownNumber(least) + " wide" : "") + '\n' +
+        lines);
 }
 
 }  // namespace
@@ -97,6 +110,10 @@ void addCorridorsCommand(CLI::App& app) {
   command
       .add_option("--narrower-than", options->narrowerThan,
                   "List only bottlenecks narrower than this, in the file's units")
+      ->type_name("W");
+  command
+      .add_option("--wider-than", options->widerThan,
+                  "List only bottlenecks wider than this, in the file's units; 0.1 m by default, and 0 lists all")
       ->type_name("W");
   command.add_flag("--full", options->map.full, "Keep the pieces of the map that lead into convex corners");
   command

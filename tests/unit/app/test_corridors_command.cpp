@@ -45,6 +45,18 @@ class TestCorridorsCommand : public QObject {
     QVERIFY(runProgram(corridors(file, {"--narrower-than", "1.5"})).out.contains("; 1 bottleneck narrower than 1.5\n"));
   }
 
+  void leavesOutSlits() {
+    // The passage is 0.08 m wide.
+    QByteArray rooms = kRooms;
+    rooms.replace("-2.5\n", "-1.58\n");
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", rooms);
+    const Outcome outcome = runProgram(corridors(file, {}));
+    QVERIFY2(outcome.out.endsWith("; 0 bottlenecks; left out: 1, at most 0.1 wide\n"), outcome.out.constData());
+    QVERIFY(runProgram(corridors(file, {"--wider-than", "0"})).out.contains("; 1 bottleneck\nwidth 0.08 at "));
+    QVERIFY(runProgram(corridors(file, {"--wider-than", "0.05"})).out.contains("; 1 bottleneck\nwidth 0.08 at "));
+  }
+
   void writesFiles() {
     const TemporaryFolder folder;
     const std::string file = folder.write("rooms.obj", kRooms), map = folder.path("map.json");
@@ -67,6 +79,7 @@ class TestCorridorsCommand : public QObject {
     };
     QVERIFY(refused({"--narrower-than", "-1"}).contains("--narrower-than"));
     QVERIFY(refused({"--narrower-than", "nan"}).contains("--narrower-than"));
+    QVERIFY(refused({"--wider-than", "-1"}).contains("--wider-than"));
     QVERIFY(refused({"-o", QString::fromStdString(folder.path("map.obj"))}).contains("map.obj"));
     QCOMPARE(readAll(file), kRooms);
   }
