@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -15,6 +14,8 @@
 #include "tests/bench/markdown.hpp"
 #include "tests/bench/prototype_measurement.hpp"
 #include "tests/bench/reach_measurement.hpp"
+#include "tests/bench/scene_benchmark.hpp"
+#include "tests/bench/scratch_folder.hpp"
 #if FOOTFALL_BENCH_RECAST
 #include "tests/bench/recast_measurement.hpp"
 #endif
@@ -36,26 +37,6 @@ void tell(const std::string& name, const std::string& what) {
   std::fprintf(stderr, "%s: %s\n", name.c_str(), what.c_str());
 }
 
-/// A folder of its own for files that are made on the way.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "footfall-bench-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error(name + ": cannot be made");
-    path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  [[nodiscard]] std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
-};
-
 class Benchmark {
  public:
   explicit Benchmark(const BenchmarkOptions& options) : options_(options) {}
@@ -69,7 +50,12 @@ class Benchmark {
     results["threads"] = options_.threads;
     results["runs"] = options_.repetition.runs;
     results["environments"] = Json::array();
-    for (const char* part : {"growth", "cancelling", "live", "exports", "reach"}) results[part] = Json::array();
+    for (const char* part : {"growth", "cancelling", "live", "exports", "reach", "scenes", "turned"})
+      results[part] = Json::array();
+    if (options_.scenes) {
+      results.update(measureScenes(options_));
+      return results;
+    }
     if (options_.reach) {
       for (const Subject& subject : options_.given) results["reach"].push_back(measureTheReach(subject, "given"));
       for (const Subject& subject : options_.samples) results["reach"].push_back(measureTheReach(subject, "sample"));

@@ -20,7 +20,10 @@ struct BenchmarkOptions {
   std::vector<std::uint32_t> exports;  ///< triangles of meshes that are written in each format
   bool reach = false;                  ///< measure who can reach whom, and nothing else
   double step = 0.4;                   ///< used with `reach`: metres that agents climb at once
-  std::vector<int> threads{1, 2};      ///< ascending; the last is what the report compares with the peers
+  bool scenes = false;                 ///< measure scenes and turned levels, and nothing else: `given` are the scenes
+  std::uint32_t sceneTriangles = 60'000;  ///< of each generated scene
+  std::vector<Subject> turned;            ///< levels that are turned, with `samples`
+  std::vector<int> threads{1, 2};         ///< ascending; the last is what the report compares with the peers
   Repetition repetition;
   bool recast = true;                                                 ///< used if the program was built with it
   bool embree = true;                                                 ///< used if the program was built with it
@@ -42,6 +45,7 @@ struct BenchmarkOptions {
 /// - `exports`: a list of what measureExports() says, one entry for each of BenchmarkOptions::exports;
 /// - `reach`: with BenchmarkOptions::reach, when all others are empty: a list of `name`, `group`, what measureReach()
 ///   says with most threads, and `recast` (of compareReach()).
+/// - `scenes`, `turned`: with BenchmarkOptions::scenes, when all others are empty: what measureScenes() says.
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);
 

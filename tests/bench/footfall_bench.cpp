@@ -8,6 +8,7 @@
 #include "footfall/errors.hpp"
 #include "tests/bench/benchmark.hpp"
 #include "tests/bench/report.hpp"
+#include "tests/bench/scene_report.hpp"
 #include "tests/bench/targets.hpp"
 
 namespace {
@@ -22,7 +23,7 @@ int runProgramWith(int argc, char** argv) {
       "Measures Footfall on environments, in one run beside Recast's voxels, the time that reading the file and "
       "Embree's tree take, and a prototype. Each measurement happens in a process of its own.",
       "footfall-bench");
-  std::vector<std::string> files;
+  std::vector<std::string> files, turned;
   double clearance = 2;
   bool samples = false, noRecast = false, noEmbree = false;
   std::string json, markdown;
@@ -50,6 +51,17 @@ int runProgramWith(int argc, char** argv) {
   app.add_option("--step", options.step, "With --reach: how high agents climb at once, in metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  app.add_flag(
+      "--scenes", options.scenes,
+      "Instead of all else: FILES as scenes and one generated scene of each kind, beside Recast, with a radius, "
+      "on and off the grid; and levels that are turned (--turned, --samples)");
+  app.add_option("--scene-triangles", options.sceneTriangles, "With --scenes: triangles of a generated scene")
+      ->check(CLI::Range(100U, 10'000'000U))
+      ->capture_default_str();
+  app.add_option("--turned", turned, "With --scenes: levels to turn by 17 degrees, as FILES")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("FILE[:HEIGHT],...");
   app.add_option("--runs", options.repetition.runs, "Runs of each measurement after one warm-up")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
@@ -84,17 +96,21 @@ int runProgramWith(int argc, char** argv) {
   options.embree = !noEmbree;
   options.limits.time = std::chrono::seconds(timeout);
   for (const std::string& file : files) options.given.push_back(parseSubject(file, clearance));
+  for (const std::string& file : turned) options.turned.push_back(parseSubject(file, clearance));
   if (samples) options.samples = sampleSubjects();
-  if (options.given.empty() && options.samples.empty() && !options.growth && !options.live && options.exports.empty())
-    throw InputError("nothing to measure; give files, --samples, --growth, --live or --exports");
+  if (options.given.empty() && options.samples.empty() && !options.growth && !options.live && options.exports.empty() &&
+      !options.scenes)
+    throw InputError("nothing to measure; give files, --samples, --growth, --live, --exports or --scenes");
+  if (!turned.empty() && !options.scenes) throw InputError("--turned belongs to --scenes; give that, too");
 
   Json results = runBenchmark(options);
-  results["targets"] = options.reach ? Json::array() : judgeTargets(results);
+  results["targets"] = options.scenes ? judgeScenes(results) : options.reach ? Json::array() : judgeTargets(results);
+  const std::string tables = options.scenes ? formatScenes(results) : formatReport(results);
   if (!json.empty()) writeFileSafely(json, results.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   if (markdown.empty()) {
-    std::cout << formatReport(results);
+    std::cout << tables;
   } else {
-    writeFileSafely(markdown, formatReport(results));
+    writeFileSafely(markdown, tables);
   }
   return reportFailures("footfall-bench", results);
 }

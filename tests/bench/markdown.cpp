@@ -23,11 +23,12 @@ std::string number(double value) {
 
 std::string groupedWithDecimals(double value, int decimals) {
   std::array<char, 64> text;
-  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, std::abs(value));
   const std::string digits = text.data();
   const std::size_t point = digits.find('.');
-  return point == std::string::npos ? grouped(value)
-                                    : grouped(std::stod(digits.substr(0, point))) + digits.substr(point);
+  const bool isNegative = value < 0 && digits.find_first_not_of("0.") != std::string::npos;
+  return (isNegative ? "-" : "") + grouped(std::stod(digits.substr(0, point))) +
+         (point == std::string::npos ? "" : digits.substr(point));
 }
 
 std::string megabytes(const Json& bytes) { return number(bytes.get<double>() / 1e6); }

@@ -17,13 +17,13 @@ struct RecastCell {
 };
 
 /// The build of Recast's own demo ("solo mesh") from rcCreateHeightfield up to and with rcBuildPolyMeshDetail, with its
-/// default region sizes and tolerances, but for agents 2 m high of radius 0 who climb 0.9 m and 45 degrees. Everything
-/// is scaled by `metresPerUnit`. Turning the triangles into Recast's floats is not counted. Gives `wall_ms`, `cpu_ms`,
-/// `peak_bytes` (of the first build, above what the process held before), `plan_area` (of the polygons, in the square
-/// of the environment's unit) and `runs`; throws std::runtime_error with the reason when Recast cannot do it. To be
-/// run isolated, with a limit of memory.
+/// default region sizes and tolerances, but for agents 2 m high of the given radius (metres) who climb 0.9 m and 45
+/// degrees. Everything is scaled by `metresPerUnit`. Turning the triangles into Recast's floats is not counted. Gives
+/// `wall_ms`, `cpu_ms`, `least_cpu_ms`, `peak_bytes` (of the first build, above what the process held before),
+/// `plan_area` (of the polygons, in the square of the environment's unit) and `runs`; throws std::runtime_error with
+/// the reason when Recast cannot do it. To be run isolated, with a limit of memory.
 Json measureRecast(const Environment& environment, double metresPerUnit, const RecastCell& cell,
-                   const Repetition& repetition);
+                   const Repetition& repetition, double radius = 0);
 
 /// The places that Recast found walkable, as a sample of its area: the middle of the top of each open span that one can
 /// stand on, in the environment's units with Z up, and the part to which its connections assign it.

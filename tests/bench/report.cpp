@@ -20,7 +20,7 @@ class Report {
     if (!results_["reach"].empty()) return reach();
     std::string text = "Footfall " + results_["program"]["version"].get<std::string>() + ", at most " +
                        std::to_string(results_["runs"].get<int>()) + " runs after one warm-up, medians, ms.\n\n";
-    if (!results_["targets"].empty()) text += "### Targets\n\n" + targets();
+    if (!results_["targets"].empty()) text += "### Targets\n\n" + formatTargets(results_["targets"]);
     if (!results_["environments"].empty()) {
       text += "### Beside others, " + threadText() + "\n\n" + peers();
       if (results_["program"]["recast"].get<bool>()) text += "### Recast, its solo build\n\n" + recast();
@@ -74,20 +74,6 @@ class Report {
   }
 
   static std::string share(const Json& value) { return groupedWithDecimals(value, 3); }
-
-  std::string targets() const {
-    Table table({"against", "figure", "due", "measured", ""});
-    for (const Json& target : results_["targets"]) {
-      const std::string unit = target["unit"].get<std::string>();
-      const std::string ending = unit.empty() ? "" : ' ' + unit;
-      const std::string where = target["where"].get<std::string>();
-      table.addRow({target["against"], target["what"].get<std::string>() + (where.empty() ? "" : " (" + where + ')'),
-                    (target["at_least"].get<bool>() ? "at least " : "at most ") + number(target["due"]) + ending,
-                    target["measured"].is_null() ? "fails" : number(target["measured"]) + ending,
-                    target["met"].get<bool>() ? "met" : "**missed**"});
-    }
-    return table.text();
-  }
 
   // "12.3 (0.45)": their time and ours over it.
   std::string against(const Json& peer, double ours, const std::string& key) {
@@ -318,5 +304,19 @@ class Report {
 }  // namespace
 
 std::string formatReport(const Json& results) { return Report(results).format(); }
+
+std::string formatTargets(const Json& targets) {
+  Table table({"against", "figure", "due", "measured", ""});
+  for (const Json& target : targets) {
+    const std::string unit = target["unit"].get<std::string>();
+    const std::string ending = unit.empty() ? "" : ' ' + unit;
+    const std::string where = target["where"].get<std::string>();
+    table.addRow({target["against"], target["what"].get<std::string>() + (where.empty() ? "" : " (" + where + ')'),
+                  (target["at_least"].get<bool>() ? "at least " : "at most ") + number(target["due"]) + ending,
+                  target["measured"].is_null() ? "fails" : number(target["measured"]) + ending,
+                  target["met"].get<bool>() ? "met" : "**missed**"});
+  }
+  return table.text();
+}
 
 }  // namespace footfall::bench

@@ -11,4 +11,7 @@ namespace footfall::bench {
 /// Formats results as runBenchmark() returns them, with the `targets` of judgeTargets().
 std::string formatReport(const Json& results);
 
+/// The table of what is due and what was measured.
+std::string formatTargets(const Json& targets);
+
 }  // namespace footfall::bench

@@ -13,6 +13,16 @@ environments() {
   done
 }
 
+# scenes: adds those in ${shared} to ${arguments}. In house.glb 0.1 stand for 2 m: it is a model, half a metre wide.
+scenes() {
+  local entry
+  for entry in lowpoly_map:2 office:2 house:0.1 proto-level:2; do
+    if [ -f "${shared}/envs/scenes/${entry%:*}.glb" ]; then
+      arguments+=("${shared}/envs/scenes/${entry%:*}.glb:${entry#*:}")
+    fi
+  done
+}
+
 # replace NAME FILE: puts the file between the lines "<!-- NAME: begin -->" and "<!-- NAME: end -->".
 replace() {
   awk -v begin="<!-- $1: begin -->" -v end="<!-- $1: end -->" -v file="$2" '
