@@ -30,8 +30,8 @@ source "${repository}/tests/bench/tables.sh"
 
 began="${SECONDS}"
 step() { echo "thesis.sh: $((SECONDS - began)) s: $*" >&2; }
-# Measured: 8 minutes of processor time (12 with --docs), most of it on one thread; 18 minutes of the clock where eleven
-# other processes wanted the same two processors.
+# Measured: 8 minutes of processor time, most of it on one thread; 18 minutes of the clock where eleven other processes
+# wanted the same two processors. The environments of --docs add an estimated 4.
 minutes=8
 if "${docs}"; then minutes=12; fi
 echo "thesis.sh: this takes about ${minutes} minutes on two idle processors; the page will be ${build}/thesis.html" >&2
