@@ -33,27 +33,27 @@ const FaceMesh& FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered)
   result.points.clear();
   result.approximate.clear();
   result.lines.clear();
-  result.cells.clear();
+  result.facets.clear();
   if (cuts != nullptr && cuts->removed && !covered) return result;
   geometry_.start(face);
   if (cuts != nullptr)
     insertCuts(*cuts);
   else
     triangulation_.start({});
-  const auto& cells = triangulation_.cells();
+  const auto& facets = triangulation_.facets();
   const auto& edges = triangulation_.edges();
   const std::vector<int> winding = triangulation_.windingNumbers(cuts != nullptr ? cuts->startWinding : 0);
   const bool all = cuts != nullptr && cuts->removed;
   std::size_t count = 0;
-  isTaken_.resize(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  isTaken_.resize(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i) {
     const bool isTaken = all || (winding[i] == 0) != covered;
     isTaken_[i] = static_cast<char>(isTaken);
     count += isTaken ? 1 : 0;
   }
   if (cuts != nullptr) triangulation_.improve(isTaken_);
   const auto taken = [&](Index c) { return isTaken_[c] != 0; };
-  result.cells.reserve(count);
+  result.facets.reserve(count);
   result.points.reserve(std::min(geometry_.pointCount(), 3 * count));
   result.approximate.reserve(std::min(geometry_.pointCount(), 3 * count));
   pointOf_.assign(geometry_.pointCount(), -1);
@@ -74,22 +74,22 @@ const FaceMesh& FaceMesher::mesh(Index face, const FaceCuts* cuts, bool covered)
     return lineOf_[l];
   };
   for (int k = 0; k < 3; ++k) addPoint(k);
-  for (Index i = 0; i < static_cast<Index>(cells.size()); ++i) {
+  for (Index i = 0; i < static_cast<Index>(facets.size()); ++i) {
     if (!taken(i)) continue;
-    FaceMesh::Cell cell;
+    FaceMesh::Facet facet;
     for (int k = 0; k < 3; ++k) {
       const int edge = previous(k);  // so that a face without cuts keeps its first corner
-      cell.corners[k] = addPoint(cells[i].corners[edge]);
-      const Index other = cells[i].neighbors[edge];
+      facet.corners[k] = addPoint(facets[i].corners[edge]);
+      const Index other = facets[i].neighbors[edge];
       const bool outline = other < 0 || !taken(other);
-      if (outline) cell.outlineEdges |= static_cast<std::uint8_t>(1 << k);
-      if (edges[i].walls[edge] != 0) cell.obstacleEdges |= static_cast<std::uint8_t>(1 << k);
+      if (outline) facet.outlineEdges |= static_cast<std::uint8_t>(1 << k);
+      if (edges[i].walls[edge] != 0) facet.obstacleEdges |= static_cast<std::uint8_t>(1 << k);
       if ((outline || edges[i].walls[edge] != 0) && edges[i].lines[edge] >= 0)
-        cell.lines[k] = addLine(edges[i].lines[edge]);
+        facet.lines[k] = addLine(edges[i].lines[edge]);
       // the lines 0, 1, 2 are the face's own edges
-      if (other < 0) cell.faceEdges[k] = static_cast<std::int8_t>(edges[i].lines[edge]);
+      if (other < 0) facet.faceEdges[k] = static_cast<std::int8_t>(edges[i].lines[edge]);
     }
-    result.cells.push_back(cell);
+    result.facets.push_back(facet);
   }
   return result;
 }

@@ -15,7 +15,7 @@ namespace footfall::detail {
 
 /// Points are numbered within the face; 0, 1, 2 are its corners.
 struct FaceMesh {
-  struct Cell {
+  struct Facet {
     std::array<Index, 3> corners{};
     std::uint8_t obstacleEdges = 0;                    ///< bit k: edge from corner k to k + 1
     std::uint8_t outlineEdges = 0;                     ///< bit k: no walkable part of this face on the other side
@@ -28,12 +28,12 @@ struct FaceMesh {
       : points(other.points, memory),
         approximate(other.approximate, memory),
         lines(other.lines, memory),
-        cells(other.cells, memory) {}
+        facets(other.facets, memory) {}
 
   std::pmr::vector<PlanPoint> points;
   std::pmr::vector<ApproximatePoint> approximate;  ///< relative to the face's first vertex
   std::pmr::vector<PlanLine> lines;
-  std::pmr::vector<Cell> cells;
+  std::pmr::vector<Facet> facets;
 };
 
 /// The remainder of each source triangle after its cuts; null where nothing cuts it.
@@ -56,7 +56,7 @@ class FaceMesher {
 
   std::vector<Index> points_, lines_;    ///< number in the geometry of each of the cuts' points and lines
   std::vector<Index> pointOf_, lineOf_;  ///< number in the mesh of each of the geometry's points and lines
-  std::vector<char> isTaken_;            ///< one flag per cell of the triangulation
+  std::vector<char> isTaken_;            ///< one flag per facet of the triangulation
   FaceMesh result_;
 
   FaceGeometry geometry_;

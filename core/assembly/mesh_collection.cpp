@@ -110,7 +110,7 @@ void MeshJoiner::layOut(Additions& additions, RunContext& context) {
     for (std::size_t i = first; i < last; ++i) {
       const FaceMesh* parts = faces[i].parts;
       entries[i] = {faces[i].face, parts != nullptr ? static_cast<Index>(parts->points.size()) : 3, 0};
-      firstTriangle_[i] = parts != nullptr ? static_cast<Index>(parts->cells.size()) : 1;
+      firstTriangle_[i] = parts != nullptr ? static_cast<Index>(parts->facets.size()) : 1;
     }
   });
   Index points = 0, triangles = 0;
@@ -141,11 +141,11 @@ Index MeshJoiner::listUses(std::size_t entry, Additions& additions) {
   }
   Index* const seen = memory_.vertexOf.data() + entries[entry].firstPoint;
   Index outlines = 0;
-  for (const FaceMesh::Cell& cell : parts->cells) {
-    for (const Index p : cell.corners)
+  for (const FaceMesh::Facet& facet : parts->facets) {
+    for (const Index p : facet.corners)
       if (std::exchange(seen[p], 0) < 0) *use++ = p;
     noteOutlines(outlines);
-    outlines += std::popcount(cell.outlineEdges);
+    outlines += std::popcount(facet.outlineEdges);
   }
   std::fill(use, additions.pointOf.data() + entries[entry + 1].firstPoint, -1);
   return outlines;
@@ -351,21 +351,21 @@ void MeshJoiner::fillTriangles(const Additions& additions, RunContext& context) 
   const auto& entries = memory_.entries;
   triangles_ = UnfilledArray<MeshTriangle>(additions.triangleCount);
   outlines_ = UnfilledArray<Outline>(additions.outlineCount);
-  const auto fillPart = [&](const FaceToJoin& given, const FaceMesh::Cell& cell, Index t, Index& outline,
+  const auto fillPart = [&](const FaceToJoin& given, const FaceMesh::Facet& facet, Index t, Index& outline,
                             const Index* vertexOf) {
     const auto& f = mesh_.triangles[given.face];
-    const auto& c = cell.corners;
-    const MeshTriangle triangle{{vertexOf[c[0]], vertexOf[c[1]], vertexOf[c[2]]}, given.face, cell.obstacleEdges};
+    const auto& c = facet.corners;
+    const MeshTriangle triangle{{vertexOf[c[0]], vertexOf[c[1]], vertexOf[c[2]]}, given.face, facet.obstacleEdges};
     triangles_.fill(t, triangle);
     for (int k = 0; k < 3; ++k) {
-      if ((cell.outlineEdges >> k & 1) == 0) continue;
+      if ((facet.outlineEdges >> k & 1) == 0) continue;
       std::pair<Index, Index> sourceEdge{-1, -1};
-      if (cell.faceEdges[k] >= 0) {
-        const Index u = f[cell.faceEdges[k]], v = f[next(cell.faceEdges[k])];
+      if (facet.faceEdges[k] >= 0) {
+        const Index u = f[facet.faceEdges[k]], v = f[next(facet.faceEdges[k])];
         sourceEdge = {std::min(u, v), std::max(u, v)};
       }
       outlines_.fill(outline++, {triangle.corners[k], triangle.corners[next(k)], t, static_cast<std::int8_t>(k),
-                                 given.face, given.parts->lines[cell.lines[k]], sourceEdge});
+                                 given.face, given.parts->lines[facet.lines[k]], sourceEdge});
     }
   };
   forBlocks(additions.triangleCount, kTrianglesPerTask, context,
@@ -381,7 +381,7 @@ void MeshJoiner::fillTriangles(const Additions& additions, RunContext& context) 
                 if (given.parts == nullptr)
                   triangles_.fill(t, {{vertexOf[0], vertexOf[1], vertexOf[2]}, given.face, given.obstacleEdges});
                 else
-                  fillPart(given, given.parts->cells[t - firstTriangle[i]], t, outline, vertexOf);
+                  fillPart(given, given.parts->facets[t - firstTriangle[i]], t, outline, vertexOf);
               }
             });
 }

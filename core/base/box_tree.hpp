@@ -57,7 +57,7 @@ class BoxTree {
       extent = std::max(extent, all.upper[k] / 2 - all.lower[k] / 2);
     }
     std::vector<std::pair<std::uint32_t, Index>> order(count);
-    const double scale = extent > kCells * std::numeric_limits<double>::min() ? kCells / extent : 0;
+    const double scale = extent > kSteps * std::numeric_limits<double>::min() ? kSteps / extent : 0;
     forBlocks(count, poll, [&](Index i) {
       const Bounds b = boundsOf(ids[i]);
       std::uint32_t key = 0;
@@ -65,7 +65,7 @@ class BoxTree {
         const double low = std::clamp(b.lower[k], all.lower[k], all.upper[k]);
         const double high = std::clamp(b.upper[k], all.lower[k], all.upper[k]);
         const double place = ((low / 2 + high / 2) / 2 - all.lower[k] / 2) * scale;
-        key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kCells - 1))) << k;
+        key |= spread(static_cast<std::uint32_t>(std::clamp(place, 0.0, kSteps - 1))) << k;
       }
       order[i] = {key, ids[i]};
     });
@@ -152,7 +152,7 @@ class BoxTree {
     }
   };
   static constexpr int kBits = 30 / D;
-  static constexpr double kCells = 1 << kBits;
+  static constexpr double kSteps = 1 << kBits;
   static constexpr Index kPerTask = 2048;
   static constexpr std::ptrdiff_t kSorted = 1 << 13;  ///< keys in a block
 

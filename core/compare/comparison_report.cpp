@@ -81,10 +81,10 @@ Json distancesJson(const SurfaceDistances& d, UpAxis up) {
 
 std::string number(double value, const char* format = "%.10g") { return formatted(value, format); }
 
-/// Rows of a label and cells, as wide as the widest.
+/// Rows of a label and texts, as wide as the widest.
 class Table {
  public:
-  void row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  void row(std::vector<std::string> texts) { rows_.push_back(std::move(texts)); }
   void gap() { rows_.emplace_back(); }
   [[nodiscard]] std::string text() const {
     std::vector<std::size_t> widths;
@@ -153,10 +153,10 @@ void addDifferences(const MeshComparison& comparison, Table& table) {
   table.row({"  in the plan", number(a.whole.uncovered.plan), number(b.whole.uncovered.plan)});
   const std::size_t layers = std::max(a.layers.size(), b.layers.size());
   for (std::size_t i = 0; i < layers; ++i) {
-    const auto cell = [i](const MeshDescription& mesh) {
+    const auto textOf = [i](const MeshDescription& mesh) {
       return i < mesh.layers.size() ? number(mesh.layers[i].uncovered.plan) : std::string("-");
     };
-    table.row({"    layer_" + std::to_string(i), cell(a), cell(b)});
+    table.row({"    layer_" + std::to_string(i), textOf(a), textOf(b)});
   }
   if (a.links + b.links > 0)
     table.row({"steps, length in the plan", number(comparison.links.lengths[0]), number(comparison.links.lengths[1])});

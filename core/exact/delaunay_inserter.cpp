@@ -25,36 +25,36 @@ void DelaunayInserter::start() {
 Index DelaunayInserter::insert(Index point) {
   point_ = point;
   place_ = geometry_.approximate(point);
-  const auto [cell, zeros, k] = locate();
-  const TriangleCell old = cells_[cell];
+  const auto [facet, zeros, k] = locate();
+  const TriangleFacet old = facets_[facet];
   if (zeros == 2) {
     const Index vertex = old.corners[k];
     geometry_.addBorder(vertex, geometry_.border(point));
     return vertex;
   }
   const Corner a = cornerAt(old.corners[k]), b = cornerAt(old.corners[next(k)]), c = cornerAt(old.corners[previous(k)]);
-  const auto added = static_cast<Index>(cells_.size());
+  const auto added = static_cast<Index>(facets_.size());
   if (zeros == 0) {  // so that k is 0
-    cells_.splitCell(cell, point);
-    suspects_.push_back({cell, 0, a, b});
+    facets_.splitFacet(facet, point);
+    suspects_.push_back({facet, 0, a, b});
     suspects_.push_back({added, 0, b, c});
     suspects_.push_back({added + 1, 0, c, a});
   } else {
-    cells_.splitEdge(cell, k, point);
-    suspects_.push_back({cell, 2, c, a});
+    facets_.splitEdge(facet, k, point);
+    suspects_.push_back({facet, 2, c, a});
     suspects_.push_back({added, 1, b, c});
     if (const Index other = old.neighbors[k]; other >= 0) {
-      const Corner d = cornerAt(cells_[other].corners[2]);
+      const Corner d = cornerAt(facets_[other].corners[2]);
       suspects_.push_back({other, 2, d, b});
       suspects_.push_back({added + 1, 1, a, d});
     }
   }
   legalize();
-  hint_ = cells_.cellOf(point);
+  hint_ = facets_.facetOf(point);
   return point;
 }
 
-// Edges are tried in a random order, lest walks go round in circles. Two of the next cell's corners are known from the
+// Edges are tried in a random order, lest walks go round in circles. Two of the next facet's corners are known from the
 // step before, and the point lies on the inner side of the edge between them.
 DelaunayInserter::Location DelaunayInserter::locate() {
   struct Offset {
@@ -72,29 +72,29 @@ DelaunayInserter::Location DelaunayInserter::locate() {
     const double turn = a.x * b.y - a.y * b.x;
     if (turn > certain) return false;
     if (turn < -certain) return true;
-    const auto& corners = cells_[at.cell].corners;
+    const auto& corners = facets_[at.facet].corners;
     const int s = geometry_.orientation(corners[k], corners[next(k)], point_);
     if (s == 0 && (at.zeros++ == 0 || next(at.k) == k)) at.k = k;
     return s < 0;
   };
   poll();
-  at.cell = hint_;
-  const auto& corners = cells_[hint_].corners;
+  at.facet = hint_;
+  const auto& corners = facets_[hint_].corners;
   const std::array<Offset, 3> around{offsetOf(corners[0]), offsetOf(corners[1]), offsetOf(corners[2])};
   int left = -1;
   for (int i = 0, k = nextRandom(); i < 3 && left < 0; ++i, k = next(k))
     if (isBeyond(around[k], around[next(k)], k)) left = k;
   if (left < 0) return at;
-  Offset start = around[next(left)], end = around[left];  // the edge over which the walk enters the next cell
+  Offset start = around[next(left)], end = around[left];  // the edge over which the walk enters the next facet
   for (;;) {
     poll();
-    const Index from = at.cell;
-    at = {cells_[from].neighbors[left], 0, 0};
-    if (at.cell < 0)
+    const Index from = at.facet;
+    at = {facets_[from].neighbors[left], 0, 0};
+    if (at.facet < 0)
       throw std::logic_error("the triangulation of a floor triangle is inconsistent: a point outside the face");
-    const TriangleCell& cell = cells_[at.cell];
-    const int entered = neighborSlot(cell, from), last = previous(entered), middle = next(entered);
-    const Offset apex = offsetOf(cell.corners[last]);
+    const TriangleFacet& facet = facets_[at.facet];
+    const int entered = neighborSlot(facet, from), last = previous(entered), middle = next(entered);
+    const Offset apex = offsetOf(facet.corners[last]);
     const bool isLastFirst = nextRandom() == last;
     bool isLeft = isLastFirst && isBeyond(apex, start, last);
     const bool isOverMiddle = !isLeft && isBeyond(end, apex, middle);
@@ -112,8 +112,8 @@ void DelaunayInserter::legalize() {
   int flips = 0;
   while (!suspects_.empty()) {
     Suspect& at = suspects_.back();
-    const TriangleCell& cell = cells_[at.cell];
-    const Index other = cell.neighbors[at.k];
+    const TriangleFacet& facet = facets_[at.facet];
+    const Index other = facet.neighbors[at.k];
     const Corner &a = at.a, &b = at.b;
     const auto isWorse = [&](Index apex, const Corner& d) {
       const double ad = a.x * d.y, da = a.y * d.x, db = d.x * b.y, bd = d.y * b.x, ab = a.x * b.y, ba = a.y * b.x;
@@ -123,16 +123,16 @@ void DelaunayInserter::legalize() {
       const double size = a.squared * (std::fabs(db) + std::fabs(bd)) + b.squared * (std::fabs(ad) + std::fabs(da)) +
                           d.squared * (std::fabs(ab) + std::fabs(ba));
       return inside > size * kWellInside &&
-             (turnAtA > certain || geometry_.orientation(point_, cell.corners[at.k], apex) > 0) &&
-             (turnAtB > certain || geometry_.orientation(point_, apex, cell.corners[next(at.k)]) > 0);
+             (turnAtA > certain || geometry_.orientation(point_, facet.corners[at.k], apex) > 0) &&
+             (turnAtB > certain || geometry_.orientation(point_, apex, facet.corners[next(at.k)]) > 0);
     };
     if (other >= 0 && flips < kMostFlips) {
-      const Index apex = cells_[other].corners[previous(neighborSlot(cells_[other], at.cell))];
+      const Index apex = facets_[other].corners[previous(neighborSlot(facets_[other], at.facet))];
       const Corner d = cornerAt(apex);
       if (isWorse(apex, d)) {
         ++flips;
         poll();
-        cells_.flip(at.cell, at.k);
+        facets_.flip(at.facet, at.k);
         const Suspect beyond{other, 0, d, b};
         at.k = 0;
         at.b = d;

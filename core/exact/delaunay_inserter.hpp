@@ -1,8 +1,8 @@
-// Inserts the points of a floor triangle into cells, which stay nearly Delaunay.
+// Inserts the points of a floor triangle into facets, which stay nearly Delaunay.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Lawson's incremental method: a point is found by walking from the one before (so points should come along a curve),
-// splits what it lies in, and edges around it are flipped. Where a point lies, and that flips keep all cells the right
+// splits what it lies in, and edges around it are flipped. Where a point lies, and that flips keep all facets the right
 // way round, is decided exactly; circles by rounded coordinates.
 #pragma once
 
@@ -12,22 +12,22 @@
 
 #include "core/base/poll.hpp"
 #include "core/exact/face_geometry.hpp"
-#include "core/exact/triangle_cells.hpp"
+#include "core/exact/triangle_facets.hpp"
 
 namespace footfall::detail {
 
 class DelaunayInserter {
  public:
-  /// `cells` has the geometry's face as its first cell, whose corners are the vertices 0, 1, 2. `poll` is called now
+  /// `facets` has the geometry's face as its first facet, whose corners are the vertices 0, 1, 2. `poll` is called now
   /// and then and may throw to cancel.
-  DelaunayInserter(FaceGeometry& geometry, TriangleCells& cells, Poll poll)
-      : geometry_(geometry), cells_(cells), poll_(poll) {}
+  DelaunayInserter(FaceGeometry& geometry, TriangleFacets& facets, Poll poll)
+      : geometry_(geometry), facets_(facets), poll_(poll) {}
 
   /// Forgets where the last point was.
   void start();
   /// Inserts a point that lies in the closed face; returns the vertex at its position (another one when there was one).
   Index insert(Index point);
-  /// True when all edges of the cells are Delaunay as far as rounded coordinates tell.
+  /// True when all edges of the facets are Delaunay as far as rounded coordinates tell.
   [[nodiscard]] bool isDelaunay() const { return isDelaunay_; }
 
  private:
@@ -35,15 +35,15 @@ class DelaunayInserter {
   struct Corner {
     double x, y, squared;
   };
-  /// Edge k of a cell, from a to b with the new point on its left, to be looked at.
+  /// Edge k of a facet, from a to b with the new point on its left, to be looked at.
   struct Suspect {
-    Index cell;
+    Index facet;
     int k;
     Corner a, b;
   };
-  /// The cell that holds the new point in its closure.
+  /// The facet that holds the new point in its closure.
   struct Location {
-    Index cell = -1;
+    Index facet = -1;
     int zeros = 0;  ///< 0 inside, 1 on edge k, 2 on corner k
     int k = 0;
   };
@@ -65,7 +65,7 @@ class DelaunayInserter {
   }
 
   FaceGeometry& geometry_;
-  TriangleCells& cells_;
+  TriangleFacets& facets_;
   Poll poll_;
   Index point_ = -1;
   ApproximatePoint place_;  ///< the new point

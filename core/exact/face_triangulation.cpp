@@ -11,7 +11,7 @@
 namespace footfall::detail {
 namespace {
 
-/// The corners of the first cell; FaceGeometry: those of the face are the points 0, 1, 2. In which order edges are
+/// The corners of the first facet; FaceGeometry: those of the face are the points 0, 1, 2. In which order edges are
 /// tried follows from it, and so do the triangles of results.
 constexpr std::array<Index, 3> kFirstCorners{1, 2, 0};
 
@@ -34,14 +34,14 @@ void FaceTriangulation::poll() {
 void FaceTriangulation::growTables() {
   const std::size_t count = geometry_.pointCount();
   if (representative_.size() >= count) return;
-  cells_.growVertices(count);
+  facets_.growVertices(count);
   representative_.resize(count, -1);
   sideStamp_.resize(count, -1);
   sideValue_.resize(count, 0);
 }
 
 void FaceTriangulation::start(std::span<const Index> points, unsigned edgeWalls) {
-  cells_.start(kFirstCorners);
+  facets_.start(kFirstCorners);
   inserter_.start();
   representative_.clear();
   sideStamp_.clear();
@@ -54,12 +54,12 @@ void FaceTriangulation::start(std::span<const Index> points, unsigned edgeWalls)
   makeEdges(edgeWalls);
 }
 
-// Only the face's own edges are constrained yet: there cells have the numbers of those for neighbors.
+// Only the face's own edges are constrained yet: there facets have the numbers of those for neighbors.
 void FaceTriangulation::makeEdges(unsigned edgeWalls) {
-  edges_.assign(cells_.size(), {});
-  isTouched_.assign(cells_.size(), inserter_.isDelaunay() ? 0 : 1);
+  edges_.assign(facets_.size(), {});
+  isTouched_.assign(facets_.size(), inserter_.isDelaunay() ? 0 : 1);
   for (std::size_t i = 0; i < edges_.size(); ++i) {
-    const Cell& c = cells()[i];
+    const Facet& c = facets()[i];
     if ((c.neighbors[0] | c.neighbors[1] | c.neighbors[2]) >= 0) continue;  // none is negative
     for (int k = 0; k < 3; ++k) {
       if (c.neighbors[k] >= 0) continue;
@@ -69,10 +69,10 @@ void FaceTriangulation::makeEdges(unsigned edgeWalls) {
   }
 }
 
-void FaceTriangulation::splitEdge(Index cell, int k, Index point) {
-  const Index other = cells_[cell].neighbors[k];
-  const int j = other >= 0 ? neighborSlot(cells_[other], cell) : 0;
-  cells_.splitEdge(cell, k, point);
+void FaceTriangulation::splitEdge(Index facet, int k, Index point) {
+  const Index other = facets_[facet].neighbors[k];
+  const int j = other >= 0 ? neighborSlot(facets_[other], facet) : 0;
+  facets_.splitEdge(facet, k, point);
   const auto splitHalf = [&](Index half, int edge) {
     const Edges old = edges_[half];
     Edges x, y;
@@ -84,44 +84,44 @@ void FaceTriangulation::splitEdge(Index cell, int k, Index point) {
     edges_.push_back(y);
   };
   const std::size_t added = edges_.size();
-  splitHalf(cell, k);
+  splitHalf(facet, k);
   if (other >= 0) splitHalf(other, j);
   isTouched_.resize(edges_.size());
-  touch(cell);
+  touch(facet);
   if (other >= 0) touch(other);
   for (std::size_t i = added; i < edges_.size(); ++i) touch(static_cast<Index>(i));
 }
 
-void FaceTriangulation::touch(Index cell) {
-  isTouched_[cell] = 1;
-  for (const Index near : cells_[cell].neighbors)
+void FaceTriangulation::touch(Index facet) {
+  isTouched_[facet] = 1;
+  for (const Index near : facets_[facet].neighbors)
     if (near >= 0) isTouched_[near] = 1;
 }
 
-void FaceTriangulation::flip(Index cell, int k) {
-  const Index other = cells_[cell].neighbors[k];
-  const int j = neighborSlot(cells_[other], cell);
-  cells_.flip(cell, k);
-  const Edges x = edges_[cell], y = edges_[other];
+void FaceTriangulation::flip(Index facet, int k) {
+  const Index other = facets_[facet].neighbors[k];
+  const int j = neighborSlot(facets_[other], facet);
+  facets_.flip(facet, k);
+  const Edges x = edges_[facet], y = edges_[other];
   Edges p, q;
   copyEdge(p, 0, y, next(j));
   copyEdge(p, 2, x, previous(k));
   copyEdge(q, 0, y, previous(j));
   copyEdge(q, 1, x, next(k));
-  edges_[cell] = p;
+  edges_[facet] = p;
   edges_[other] = q;
-  touch(cell);
+  touch(facet);
   touch(other);
 }
 
 // Flips an unconstrained edge when the opposite vertex seems to lie well inside the circumcircle (by rounded
 // coordinates) and the four corners are strictly convex (exactly).
-bool FaceTriangulation::flipIfBetter(Index cell, int k) {
-  const Cell& x = cells_[cell];
+bool FaceTriangulation::flipIfBetter(Index facet, int k) {
+  const Facet& x = facets_[facet];
   const Index other = x.neighbors[k];
-  if (edges_[cell].lines[k] >= 0) return false;
+  if (edges_[facet].lines[k] >= 0) return false;
   const Index a = x.corners[k], b = x.corners[next(k)], c = x.corners[previous(k)];
-  const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], cell))];
+  const Index d = facets_[other].corners[previous(neighborSlot(facets_[other], facet))];
   const ApproximatePoint& pd = geometry_.approximate(d);
   const auto relative = [&](Index v) {
     const ApproximatePoint& p = geometry_.approximate(v);
@@ -130,7 +130,7 @@ bool FaceTriangulation::flipIfBetter(Index cell, int k) {
   const std::array<double, 2> pa = relative(a), pb = relative(b), pc = relative(c);
   if (!isWellInsideCircle(pa, pb, pc)) return false;
   if (geometry_.orientation(c, a, d) <= 0 || geometry_.orientation(c, d, b) <= 0) return false;
-  flip(cell, k);
+  flip(facet, k);
   return true;
 }
 
@@ -143,17 +143,17 @@ bool FaceTriangulation::findEdge(Index a, Index b, Place& place) const {
     Index around, target, start, at;
     bool isForward = false;
   };
-  std::array<Walk, 2> walks{Walk{a, b, cells_.cellOf(a), cells_.cellOf(a)},
-                            Walk{b, a, cells_.cellOf(b), cells_.cellOf(b)}};
+  std::array<Walk, 2> walks{Walk{a, b, facets_.facetOf(a), facets_.facetOf(a)},
+                            Walk{b, a, facets_.facetOf(b), facets_.facetOf(b)}};
   for (;;) {
     for (Walk& walk : walks) {
-      const Cell& c = cells_[walk.at];
+      const Facet& c = facets_[walk.at];
       const int i = cornerOf(c, walk.around), before = previous(i);
       const bool isOut = c.corners[next(i)] == walk.target;
       if (isOut || c.corners[before] == walk.target) {
         place = {walk.at, isOut ? i : before};
         const Index beyond = c.neighbors[place.k];
-        if (c.corners[place.k] != a && beyond >= 0) place = {beyond, neighborSlot(cells_[beyond], walk.at)};
+        if (c.corners[place.k] != a && beyond >= 0) place = {beyond, neighborSlot(facets_[beyond], walk.at)};
         return true;
       }
       walk.at = c.neighbors[walk.isForward ? before : i];
@@ -161,28 +161,28 @@ bool FaceTriangulation::findEdge(Index a, Index b, Place& place) const {
       if (walk.at >= 0) continue;
       if (walk.isForward) return false;
       walk.isForward = true;
-      walk.at = cells_[walk.start].neighbors[previous(cornerOf(cells_[walk.start], walk.around))];
+      walk.at = facets_[walk.start].neighbors[previous(cornerOf(facets_[walk.start], walk.around))];
       if (walk.at < 0) return false;
     }
   }
 }
 
 void FaceTriangulation::mark(const Segment& segment, Place place, int sign) {
-  const auto markOne = [&](Index cell, int k, int winding) {
-    Edges& e = edges_[cell];
+  const auto markOne = [&](Index facet, int k, int winding) {
+    Edges& e = edges_[facet];
     if (e.lines[k] < 0) e.lines[k] = segment.line;
     e.windings[k] += winding;
     e.walls[k] |= static_cast<std::uint8_t>(segment.wall);
   };
-  markOne(place.cell, place.k, sign * segment.winding);
-  const Index other = cells_[place.cell].neighbors[place.k];
-  if (other >= 0) markOne(other, neighborSlot(cells_[other], place.cell), -sign * segment.winding);
+  markOne(place.facet, place.k, sign * segment.winding);
+  const Index other = facets_[place.facet].neighbors[place.k];
+  if (other >= 0) markOne(other, neighborSlot(facets_[other], place.facet), -sign * segment.winding);
 }
 
 bool FaceTriangulation::markEdge(const Segment& segment, Index a, Index b) {
   Place place;
   if (!findEdge(a, b, place)) return false;
-  mark(segment, place, cells_[place.cell].corners[place.k] == a ? 1 : -1);
+  mark(segment, place, facets_[place.facet].corners[place.k] == a ? 1 : -1);
   return true;
 }
 
@@ -213,80 +213,80 @@ void FaceTriangulation::insertSegment(Index u, Index v, Index line, int directio
   }
 }
 
-// Looks around u for the edge along the segment, or for the cell that it enters.
+// Looks around u for the edge along the segment, or for the facet that it enters.
 Index FaceTriangulation::advance(const Segment& segment, Index u) {
-  const Index start = cells_.cellOf(u);
+  const Index start = facets_.facetOf(u);
   for (const bool forward : {true, false}) {
-    Index cell = start;
+    Index facet = start;
     do {
-      const Cell& c = cells_[cell];
+      const Facet& c = facets_[facet];
       const int i = cornerOf(c, u);
       const Index a = c.corners[next(i)], b = c.corners[previous(i)];
       const int sideA = sideOfSegment(segment, a), sideB = sideOfSegment(segment, b);
       if (sideA == 0 && sideB > 0) {
-        mark(segment, {cell, i}, 1);
+        mark(segment, {facet, i}, 1);
         return a;
       }
       if (sideB == 0 && sideA < 0) {
-        mark(segment, {cell, previous(i)}, -1);
+        mark(segment, {facet, previous(i)}, -1);
         return b;
       }
       if (sideA < 0 && sideB > 0) {
-        const Index w = cross(segment, u, cell);
+        const Index w = cross(segment, u, facet);
         markEdge(segment, u, w);
         return w;
       }
-      cell = c.neighbors[forward ? previous(i) : i];
-    } while (cell >= 0 && cell != start);
-    if (cell == start) break;
+      facet = c.neighbors[forward ? previous(i) : i];
+    } while (facet >= 0 && facet != start);
+    if (facet == start) break;
   }
   fail("a segment that leaves the face");
 }
 
-Index FaceTriangulation::splitAtCrossing(const Segment& segment, Index cell, int k) {
-  const Index a = cells_[cell].corners[k], b = cells_[cell].corners[next(k)];
-  const Index p = geometry_.crossing(segment.line, edges_[cell].lines[k]);
+Index FaceTriangulation::splitAtCrossing(const Segment& segment, Index facet, int k) {
+  const Index a = facets_[facet].corners[k], b = facets_[facet].corners[next(k)];
+  const Index p = geometry_.crossing(segment.line, edges_[facet].lines[k]);
   growTables();
   if (representative_[p] >= 0) fail("a crossing that is a vertex elsewhere");
   representative_[p] = p;
   geometry_.addBorder(p, geometry_.border(a) & geometry_.border(b));
-  splitEdge(cell, k, p);
+  splitEdge(facet, k, p);
   sideStamp_[p] = stamp_;
   sideValue_[p] = 0;
   return p;
 }
 
-Index FaceTriangulation::cross(const Segment& segment, Index u, Index cell) {
+Index FaceTriangulation::cross(const Segment& segment, Index u, Index facet) {
   crossed_.clear();
-  int k = next(cornerOf(cells_[cell], u));  // opposite u
+  int k = next(cornerOf(facets_[facet], u));  // opposite u
   Index target = -1;
   while (target < 0) {
     poll();
-    if (edges_[cell].lines[k] >= 0) {
-      target = splitAtCrossing(segment, cell, k);
+    if (edges_[facet].lines[k] >= 0) {
+      target = splitAtCrossing(segment, facet, k);
       break;
     }
-    const Cell& c = cells_[cell];
+    const Facet& c = facets_[facet];
     crossed_.push_back({c.corners[k], c.corners[next(k)]});
     const Index other = c.neighbors[k];
     if (other < 0) fail("a segment that leaves the face");
-    const int j = neighborSlot(cells_[other], cell);
-    const Index apex = cells_[other].corners[previous(j)];
+    const int j = neighborSlot(facets_[other], facet);
+    const Index apex = facets_[other].corners[previous(j)];
     const int s = sideOfSegment(segment, apex);
     if (s == 0) target = apex;
-    cell = other;
+    facet = other;
     k = s > 0 ? next(j) : previous(j);
   }
   flipAway(segment);
   return target;
 }
 
-// An edge is found from a cell that had it, or was beside one that had it, when it was last looked at. Flips move it to
-// a neighbor; only rarely must it be looked for around its ends.
+// An edge is found from a facet that had it, or was beside one that had it, when it was last looked at. Flips move it
+// to a neighbor; only rarely must it be looked for around its ends.
 void FaceTriangulation::flipAway(const Segment& segment) {
   const auto findNear = [&](const Edge& e, Index near) {
-    const auto edgeIn = [&](Index cell) {
-      const auto& corners = cells_[cell].corners;
+    const auto edgeIn = [&](Index facet) {
+      const auto& corners = facets_[facet].corners;
       for (int k = 0; k < 3; ++k)
         if ((corners[k] == e[0] && corners[next(k)] == e[1]) || (corners[k] == e[1] && corners[next(k)] == e[0]))
           return k;
@@ -294,13 +294,13 @@ void FaceTriangulation::flipAway(const Segment& segment) {
     };
     Place place;
     if (near >= 0) {
-      const std::array<Index, 3> neighbors = cells_[near].neighbors;
-      for (const Index cell : {near, neighbors[0], neighbors[1], neighbors[2]}) {
-        const int k = cell < 0 ? -1 : edgeIn(cell);
+      const std::array<Index, 3> neighbors = facets_[near].neighbors;
+      for (const Index facet : {near, neighbors[0], neighbors[1], neighbors[2]}) {
+        const int k = facet < 0 ? -1 : edgeIn(facet);
         if (k < 0) continue;
-        const Index beyond = cells_[cell].neighbors[k];
-        if (cells_[cell].corners[k] == e[0]) return Place{cell, k};
-        return Place{beyond, neighborSlot(cells_[beyond], cell)};
+        const Index beyond = facets_[facet].neighbors[k];
+        if (facets_[facet].corners[k] == e[0]) return Place{facet, k};
+        return Place{beyond, neighborSlot(facets_[beyond], facet)};
       }
     }
     if (!findEdge(e[0], e[1], place)) fail("a lost edge");
@@ -308,22 +308,22 @@ void FaceTriangulation::flipAway(const Segment& segment) {
   };
   std::vector<Index> near;  // of each crossed edge; each of them is beside the one before, until edges are flipped
   near.reserve(2 * crossed_.size());
-  for (const Edge& e : crossed_) near.push_back(findNear(e, near.empty() ? -1 : near.back()).cell);
+  for (const Edge& e : crossed_) near.push_back(findNear(e, near.empty() ? -1 : near.back()).facet);
   for (std::size_t head = 0; head < crossed_.size(); ++head) {
     poll();
     const Edge e = crossed_[head];
     const Place place = findNear(e, near[head]);
-    const Index other = cells_[place.cell].neighbors[place.k];
-    const Index r = cells_[place.cell].corners[previous(place.k)];
-    const Index d = cells_[other].corners[previous(neighborSlot(cells_[other], place.cell))];
+    const Index other = facets_[place.facet].neighbors[place.k];
+    const Index r = facets_[place.facet].corners[previous(place.k)];
+    const Index d = facets_[other].corners[previous(neighborSlot(facets_[other], place.facet))];
     if (geometry_.orientation(r, e[0], d) > 0 && geometry_.orientation(r, d, e[1]) > 0) {
-      flip(place.cell, place.k);
+      flip(place.facet, place.k);
       if (sideOfSegment(segment, r) * sideOfSegment(segment, d) >= 0) continue;
       crossed_.push_back({r, d});
     } else {
       crossed_.push_back(e);
     }
-    near.push_back(place.cell);
+    near.push_back(place.facet);
   }
 }
 
@@ -331,27 +331,27 @@ void FaceTriangulation::dropConstraints() {
   for (std::size_t i = 0; i < edges_.size(); ++i) {
     Edges& e = edges_[i];
     for (int k = 0; k < 3; ++k)
-      if (e.lines[k] >= 0 && e.windings[k] == 0 && e.walls[k] == 0 && cells()[i].neighbors[k] >= 0) e.lines[k] = -1;
+      if (e.lines[k] >= 0 && e.windings[k] == 0 && e.walls[k] == 0 && facets()[i].neighbors[k] >= 0) e.lines[k] = -1;
   }
 }
 
 void FaceTriangulation::improve(const std::vector<char>& isWanted) {
-  std::size_t left = cells_.size() * 20;
+  std::size_t left = facets_.size() * 20;
   unsettled_.clear();
-  for (std::size_t i = 0; i < cells_.size(); ++i)
+  for (std::size_t i = 0; i < facets_.size(); ++i)
     if (isWanted[i] != 0) unsettled_.push_back(static_cast<Index>(i));
   isUnsettled_ = isWanted;
   while (!unsettled_.empty() && left > 0) {
     poll();
-    const Index cell = unsettled_.back();
+    const Index facet = unsettled_.back();
     unsettled_.pop_back();
-    isUnsettled_[cell] = 0;
-    if (isTouched_[cell] == 0) continue;
+    isUnsettled_[facet] = 0;
+    if (isTouched_[facet] == 0) continue;
     for (int k = 0; k < 3; ++k) {
-      const Index other = cells_[cell].neighbors[k];
-      if (!flipIfBetter(cell, k)) continue;
+      const Index other = facets_[facet].neighbors[k];
+      if (!flipIfBetter(facet, k)) continue;
       --left;
-      for (const Index changed : {cell, other}) {
+      for (const Index changed : {facet, other}) {
         const auto enqueue = [&](Index c) {
           if (c >= 0 && isUnsettled_[c] == 0 && isWanted[c] != 0) {
             isUnsettled_[c] = 1;
@@ -359,39 +359,39 @@ void FaceTriangulation::improve(const std::vector<char>& isWanted) {
           }
         };
         enqueue(changed);
-        for (const Index near : cells_[changed].neighbors) enqueue(near);
+        for (const Index near : facets_[changed].neighbors) enqueue(near);
       }
       break;
     }
   }
 }
 
-Index FaceTriangulation::startCell() const {
+Index FaceTriangulation::startFacet() const {
   // Walk round corner 0, away from the face's last edge.
-  Index cell = cells_.cellOf(0);
+  Index facet = facets_.facetOf(0);
   for (;;) {
-    const int k = cornerOf(cells_[cell], 0);
-    const Index before = cells_[cell].neighbors[k];
-    if (before < 0) return cell;
-    cell = before;
+    const int k = cornerOf(facets_[facet], 0);
+    const Index before = facets_[facet].neighbors[k];
+    if (before < 0) return facet;
+    facet = before;
   }
 }
 
 std::vector<int> FaceTriangulation::windingNumbers(int start) const {
-  std::vector<int> winding(cells_.size(), INT_MIN);
+  std::vector<int> winding(facets_.size(), INT_MIN);
   std::vector<Index> queue;
-  const auto reach = [&](Index cell, int value) {
-    if (winding[cell] == INT_MIN) {
-      winding[cell] = value;
-      queue.push_back(cell);
-    } else if (winding[cell] != value) {
+  const auto reach = [&](Index facet, int value) {
+    if (winding[facet] == INT_MIN) {
+      winding[facet] = value;
+      queue.push_back(facet);
+    } else if (winding[facet] != value) {
       fail("regions that do not close");
     }
   };
-  queue.reserve(cells_.size());
-  reach(startCell(), start);
+  queue.reserve(facets_.size());
+  reach(startFacet(), start);
   for (std::size_t head = 0; head < queue.size(); ++head) {
-    const Cell& c = cells_[queue[head]];
+    const Facet& c = facets_[queue[head]];
     const Edges& e = edges_[queue[head]];
     const int value = winding[queue[head]];
     for (int k = 0; k < 3; ++k)

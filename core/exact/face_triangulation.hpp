@@ -14,14 +14,14 @@
 #include "core/base/poll.hpp"
 #include "core/exact/delaunay_inserter.hpp"
 #include "core/exact/face_geometry.hpp"
-#include "core/exact/triangle_cells.hpp"
+#include "core/exact/triangle_facets.hpp"
 
 namespace footfall::detail {
 
 class FaceTriangulation {
  public:
-  using Cell = TriangleCell;
-  /// Facts about a cell's edges. Corners and neighbors lie apart: inserting points needs nothing else.
+  using Facet = TriangleFacet;
+  /// Facts about a facet's edges. Corners and neighbors lie apart: inserting points needs nothing else.
   struct Edges {
     std::array<Index, 3> lines{-1, -1, -1};  ///< supporting line of a constrained edge, else -1
     std::array<int, 3> windings{};           ///< change of the winding number when the edge is entered from outside
@@ -30,7 +30,7 @@ class FaceTriangulation {
 
   /// `poll` is called now and then and may throw to cancel.
   FaceTriangulation(FaceGeometry& geometry, Poll poll)
-      : geometry_(geometry), inserter_(geometry, cells_, poll), poll_(poll) {}
+      : geometry_(geometry), inserter_(geometry, facets_, poll), poll_(poll) {}
   FaceTriangulation(const FaceTriangulation&) = delete;
   FaceTriangulation& operator=(const FaceTriangulation&) = delete;
 
@@ -44,22 +44,22 @@ class FaceTriangulation {
   void insertSegment(Index u, Index v, Index line, int direction, int winding, bool wall);
   /// Drops constraints without effect.
   void dropConstraints();
-  /// Flips edges towards Delaunay between the cells marked in `isWanted`; a flip keeps both winding numbers.
+  /// Flips edges towards Delaunay between the facets marked in `isWanted`; a flip keeps both winding numbers.
   void improve(const std::vector<char>& isWanted);
 
-  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_.all(); }
-  /// One entry per cell.
+  [[nodiscard]] const std::vector<Facet>& facets() const { return facets_.all(); }
+  /// One entry per facet.
   [[nodiscard]] const std::vector<Edges>& edges() const { return edges_; }
-  /// The cell beside the start of the face's edge from corner 0 to 1.
-  [[nodiscard]] Index startCell() const;
-  /// Winding number of each cell: how many regions cover it. `start`: that of startCell().
+  /// The facet beside the start of the face's edge from corner 0 to 1.
+  [[nodiscard]] Index startFacet() const;
+  /// Winding number of each facet: how many regions cover it. `start`: that of startFacet().
   [[nodiscard]] std::vector<int> windingNumbers(int start) const;
 
  private:
   using Edge = std::array<Index, 2>;
-  /// Edge k of a cell.
+  /// Edge k of a facet.
   struct Place {
-    Index cell = -1;
+    Index facet = -1;
     int k = 0;
   };
   /// The segment that is inserted, whose ends are certain to lie on its line.
@@ -71,11 +71,11 @@ class FaceTriangulation {
 
   void growTables();
   void makeEdges(unsigned edgeWalls);
-  void splitEdge(Index cell, int k, Index point);
-  void flip(Index cell, int k);
-  /// Notes that a cell has become another one, for improve().
-  void touch(Index cell);
-  bool flipIfBetter(Index cell, int k);
+  void splitEdge(Index facet, int k, Index point);
+  void flip(Index facet, int k);
+  /// Notes that a facet has become another one, for improve().
+  void touch(Index facet);
+  bool flipIfBetter(Index facet, int k);
   bool findEdge(Index a, Index b, Place& place) const;
   /// Marks an edge, which runs along the segment (sign +1) or against it (-1), on both of its sides.
   void mark(const Segment& segment, Place place, int sign);
@@ -84,21 +84,21 @@ class FaceTriangulation {
   int sideOfSegment(const Segment& segment, Index vertex);
   /// One step of insertSegment: from u to the next vertex on the segment, marking the edge between, which may be new.
   Index advance(const Segment& segment, Index u);
-  /// The next vertex on the segment, which enters a cell at u: a corner, or where it crosses a constrained edge. Makes
+  /// The next vertex on the segment, which enters a facet at u: a corner, or where it crosses a constrained edge. Makes
   /// the edge to it.
-  Index cross(const Segment& segment, Index u, Index cell);
+  Index cross(const Segment& segment, Index u, Index facet);
   /// Splits a constrained edge where the segment crosses it.
-  Index splitAtCrossing(const Segment& segment, Index cell, int k);
+  Index splitAtCrossing(const Segment& segment, Index facet, int k);
   /// Flips the edges in crossed_ away from the segment.
   void flipAway(const Segment& segment);
   void poll();
 
   FaceGeometry& geometry_;
-  TriangleCells cells_;
+  TriangleFacets facets_;
   DelaunayInserter inserter_;
   Poll poll_;
-  std::vector<Edges> edges_;           ///< one per cell
-  std::vector<char> isTouched_;        ///< one per cell; all edges between other cells are Delaunay
+  std::vector<Edges> edges_;           ///< one per facet
+  std::vector<char> isTouched_;        ///< one per facet; all edges between other facets are Delaunay
   std::vector<Index> representative_;  ///< -1: not inserted
   std::vector<Index> sideStamp_;
   std::vector<std::int8_t> sideValue_;
@@ -106,7 +106,7 @@ class FaceTriangulation {
   std::uint32_t polls_ = 0;
   // Working memory, kept for the next face.
   std::vector<Edge> crossed_;     ///< edges that a segment crosses
-  std::vector<Index> unsettled_;  ///< cells that improve() has to look at
+  std::vector<Index> unsettled_;  ///< facets that improve() has to look at
   std::vector<char> isUnsettled_;
 };
 

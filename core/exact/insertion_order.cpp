@@ -21,8 +21,8 @@ CurvePlaces::CurvePlaces(const FaceGeometry& geometry) {
 }
 
 std::uint64_t CurvePlaces::of(const ApproximatePoint& point) const {
-  const auto cell = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, 65535.0)); };
-  return hilbertIndex(cell((point.x - left_) * scale_), cell((point.y - bottom_) * scale_));
+  const auto stepOf = [](double v) { return static_cast<std::uint32_t>(std::clamp(v, 0.0, 65535.0)); };
+  return hilbertIndex(stepOf((point.x - left_) * scale_), stepOf((point.y - bottom_) * scale_));
 }
 
 void sortAlongCurve(const FaceGeometry& geometry, std::vector<Index>& points) {

@@ -36,8 +36,8 @@ bool isCloser(const Vec3& a, const Vec3& b, double distance) {
   return ex * ex + ey * ey + ez * ez < d * d;
 }
 
-/// Cells of the size of the distance: only neighbouring cells can hold vertices that are closer.
-struct CellHash {
+/// Cubes of the size of the distance: only neighbouring cubes can hold vertices that are closer.
+struct CubeHash {
   std::size_t operator()(const std::array<std::int64_t, 3>& c) const {
     std::uint64_t h = 0x243F6A8885A308D3ULL;
     for (const std::int64_t x : c) {
@@ -48,28 +48,28 @@ struct CellHash {
   }
 };
 
-// The last cell: beyond it doubles are farther apart than the distance, or so far out that they share one last cell.
-std::int64_t cellOf(double x, double distance) {
+// The last cube: beyond it doubles are farther apart than the distance, or so far out that they share one last cube.
+std::int64_t cubeOf(double x, double distance) {
   return static_cast<std::int64_t>(std::floor(std::clamp(x / distance, -0x1p52, 0x1p52)));
 }
 
 // The first place of the cluster of each place; places are sorted and distinct.
 std::vector<Index> clusterPlaces(const std::vector<Vec3>& places, double distance, RunContext& context) {
-  std::unordered_map<std::array<std::int64_t, 3>, std::vector<Index>, CellHash> cells;
+  std::unordered_map<std::array<std::int64_t, 3>, std::vector<Index>, CubeHash> cubes;
   DisjointSets sets(places.size());
   for (Index i = 0; i < static_cast<Index>(places.size()); ++i) {
     if ((i & 255) == 0) context.checkCancelled();
     const Vec3& p = places[i];
-    const std::array<std::int64_t, 3> cell{cellOf(p.x, distance), cellOf(p.y, distance), cellOf(p.z, distance)};
+    const std::array<std::int64_t, 3> cube{cubeOf(p.x, distance), cubeOf(p.y, distance), cubeOf(p.z, distance)};
     for (std::int64_t dx = -1; dx <= 1; ++dx)
       for (std::int64_t dy = -1; dy <= 1; ++dy)
         for (std::int64_t dz = -1; dz <= 1; ++dz) {
-          const auto it = cells.find({cell[0] + dx, cell[1] + dy, cell[2] + dz});
-          if (it == cells.end()) continue;
+          const auto it = cubes.find({cube[0] + dx, cube[1] + dy, cube[2] + dz});
+          if (it == cubes.end()) continue;
           for (const Index j : it->second)
             if (sets.find(i) != sets.find(j) && isCloser(p, places[j], distance)) sets.unite(i, j);
         }
-    cells[cell].push_back(i);
+    cubes[cube].push_back(i);
   }
   std::vector<Index> first(places.size());
   for (Index i = 0; i < static_cast<Index>(places.size()); ++i) first[i] = sets.find(i);

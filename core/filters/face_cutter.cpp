@@ -226,30 +226,30 @@ void FaceCutter::cancelSegments() {
   segments_.resize(kept);
 }
 
-OpenGrid::Outline FaceCutter::outlineOf(const FaceTriangulation::Cell& cell) const {
-  const auto& [a, b, c] = cell.corners;
+OpenGrid::Outline FaceCutter::outlineOf(const FaceTriangulation::Facet& facet) const {
+  const auto& [a, b, c] = facet.corners;
   return {geometry_.approximate(a), geometry_.approximate(b), geometry_.approximate(c)};
 }
 
-std::vector<char> FaceCutter::findOpen(const OpenGrid* openCells) const {
-  const auto& cells = triangulation_.cells();
+std::vector<char> FaceCutter::findOpen(const OpenGrid* openSquares) const {
+  const auto& facets = triangulation_.facets();
   const std::vector<int> winding = triangulation_.windingNumbers(startWinding_);
-  std::vector<char> isOpen(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) isOpen[i] = static_cast<char>(winding[i] == 0);
-  if (openCells == nullptr) return isOpen;
-  DisjointSets parts(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    for (const Index other : cells[i].neighbors)
+  std::vector<char> isOpen(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i) isOpen[i] = static_cast<char>(winding[i] == 0);
+  if (openSquares == nullptr) return isOpen;
+  DisjointSets parts(facets.size());
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    for (const Index other : facets[i].neighbors)
       if (other >= 0 && isOpen[i] != 0 && isOpen[other] != 0) parts.unite(static_cast<Index>(i), other);
-  std::vector<char> isReached(cells.size(), 0);
-  for (std::size_t i = 0; i < cells.size(); ++i)
-    if (isOpen[i] != 0 && openCells->mayReach(outlineOf(cells[i]))) isReached[parts.find(static_cast<Index>(i))] = 1;
-  for (std::size_t i = 0; i < cells.size(); ++i)
+  std::vector<char> isReached(facets.size(), 0);
+  for (std::size_t i = 0; i < facets.size(); ++i)
+    if (isOpen[i] != 0 && openSquares->mayReach(outlineOf(facets[i]))) isReached[parts.find(static_cast<Index>(i))] = 1;
+  for (std::size_t i = 0; i < facets.size(); ++i)
     isOpen[i] = static_cast<char>(isOpen[i] != 0 && isReached[parts.find(static_cast<Index>(i))] != 0);
   return isOpen;
 }
 
-void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
+void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openSquares) {
   cancelSegments();
   std::vector<Index> points;
   points.reserve(2 * segments_.size());
@@ -261,14 +261,14 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
     triangulation_.insertSegment(triangulation_.vertexAt(s.from), triangulation_.vertexAt(s.to), s.line, s.direction,
                                  s.winding, s.wall);
 
-  const auto& cells = triangulation_.cells();
-  const std::vector<char> open = findOpen(openCells);
-  startWinding_ = open[triangulation_.startCell()] != 0 ? 0 : 1;
+  const auto& facets = triangulation_.facets();
+  const std::vector<char> open = findOpen(openSquares);
+  startWinding_ = open[triangulation_.startFacet()] != 0 ? 0 : 1;
   segments_.clear();
   grid.close();
-  for (std::size_t i = 0; i < cells.size(); ++i) {
+  for (std::size_t i = 0; i < facets.size(); ++i) {
     if ((++polls_ & 255) == 0) poll_();
-    const FaceTriangulation::Cell& c = cells[i];
+    const FaceTriangulation::Facet& c = facets[i];
     const FaceTriangulation::Edges& edges = triangulation_.edges()[i];
     const bool isOpen = open[i] != 0;
     if (isOpen) grid.open(outlineOf(c));
@@ -276,7 +276,7 @@ void FaceCutter::keepOutline(OpenGrid& grid, const OpenGrid* openCells) {
       const Index other = c.neighbors[k];
       const bool isOpenBeyond = other >= 0 && open[other] != 0;
       bool isWall = edges.walls[k] != 0;
-      if (isOpen) {  // The wall belongs to the open cell with the larger number, or to the one beside a covered cell.
+      if (isOpen) {  // The wall belongs to the open facet with the larger number, or to the one beside a covered facet.
         if (!isWall || (other >= 0 && !isOpenBeyond) || other > static_cast<Index>(i)) continue;
       } else {
         if (!isOpenBeyond) continue;

@@ -99,9 +99,9 @@ class FaceCutter {
   void addCuts(const FaceShare& cuts, std::vector<Index>& points, std::vector<Index>& lines);
   void cancelSegments();
   /// Replaces the segments by the outline of all that they enclose, with the walls outside of it; opens in `grid` what
-  /// is outside and closes all else. Not for shares of cells. Of what is outside, parts that do not reach `openCells`
+  /// is outside and closes all else. Not for shares of cells. Of what is outside, parts that do not reach `openSquares`
   /// (null: all do) count as enclosed; the segments must part them from the others.
-  void keepOutline(OpenGrid& grid, const OpenGrid* openCells = nullptr);
+  void keepOutline(OpenGrid& grid, const OpenGrid* openSquares = nullptr);
   [[nodiscard]] std::size_t segmentCount() const { return segments_.size(); }
   /// The rounded places of the points of what collect() gave last.
   [[nodiscard]] std::vector<ApproximatePoint> placesOfPoints() const;
@@ -131,9 +131,9 @@ class FaceCutter {
   template <class Cuts>
   void collectAll(Cuts& cuts);
   void sortSegments();
-  [[nodiscard]] OpenGrid::Outline outlineOf(const FaceTriangulation::Cell& cell) const;
-  /// One flag per cell of the triangulation: it is outside of the area that keepOutline() encloses.
-  [[nodiscard]] std::vector<char> findOpen(const OpenGrid* openCells) const;
+  [[nodiscard]] OpenGrid::Outline outlineOf(const FaceTriangulation::Facet& facet) const;
+  /// One flag per facet of the triangulation: it is outside of the area that keepOutline() encloses.
+  [[nodiscard]] std::vector<char> findOpen(const OpenGrid* openSquares) const;
   [[nodiscard]] bool precedes(Index line, Index other) const;
 
   FaceTriangulation triangulation_;  ///< triangulation that keepOutline() uses

@@ -118,15 +118,15 @@ OpenGrid::OpenGrid(const PlanKernel& kernel, Index triangle) : slack_(kernel.sig
   // The true face lies within, too.
   const Slices whole(face);
   const Interval columns{whole.leftmost(), whole.rightmost()}, rows{whole.lowest(), whole.highest()};
-  const auto divide = [](const Interval& range, std::array<double, kCells + 1>& borders) {
-    for (std::size_t i = 0; i <= kCells; ++i) {
-      const double share = static_cast<double>(i) / kCells;
+  const auto divide = [](const Interval& range, std::array<double, kSquares + 1>& borders) {
+    for (std::size_t i = 0; i <= kSquares; ++i) {
+      const double share = static_cast<double>(i) / kSquares;
       borders[i] = range.low * (1 - share) + range.high * share;
     }
     std::sort(borders.begin(), borders.end());  // rounding may swap those of a face without width
     borders.front() = range.low;
     borders.back() = range.high;
-    return range.high - range.low > kLeastRise ? kCells / (range.high - range.low) : 0;
+    return range.high - range.low > kLeastRise ? kSquares / (range.high - range.low) : 0;
   };
   columnsPerUnit_ = divide(columns, x_);
   rowsPerUnit_ = divide(rows, y_);
@@ -135,46 +135,46 @@ OpenGrid::OpenGrid(const PlanKernel& kernel, Index triangle) : slack_(kernel.sig
 
 OpenGrid::Row OpenGrid::columnsMeeting(double low, double high) const {
   if (!(low <= high) || high < x_.front() || low > x_.back()) return 0;
-  // The cell by arithmetic, then by the borders as they are.
-  const auto cellAt = [&](double x) {
-    const double c = std::clamp((x - x_.front()) * columnsPerUnit_, 0.0, static_cast<double>(kCells - 1));
+  // The square by arithmetic, then by the borders as they are.
+  const auto squareAt = [&](double x) {
+    const double c = std::clamp((x - x_.front()) * columnsPerUnit_, 0.0, static_cast<double>(kSquares - 1));
     return static_cast<std::size_t>(c);
   };
-  std::size_t first = cellAt(low), last = cellAt(high);
+  std::size_t first = squareAt(low), last = squareAt(high);
   while (first > 0 && x_[first] >= low) --first;
-  while (first + 1 < kCells && x_[first + 1] < low) ++first;
-  while (last + 1 < kCells && x_[last + 1] <= high) ++last;
+  while (first + 1 < kSquares && x_[first + 1] < low) ++first;
+  while (last + 1 < kSquares && x_[last + 1] <= high) ++last;
   while (last > 0 && x_[last] > high) --last;
-  return (~Row{0} << first) & (~Row{0} >> (kCells - 1 - last));
+  return (~Row{0} << first) & (~Row{0} >> (kSquares - 1 - last));
 }
 
 OpenGrid::Row OpenGrid::columnsWithin(double low, double high) const {
-  Row cells = columnsMeeting(low, high);
-  while (cells != 0) {
-    const auto first = static_cast<std::size_t>(std::countr_zero(cells));
+  Row squares = columnsMeeting(low, high);
+  while (squares != 0) {
+    const auto first = static_cast<std::size_t>(std::countr_zero(squares));
     if (x_[first] >= low) break;
-    cells &= cells - 1;
+    squares &= squares - 1;
   }
-  while (cells != 0) {
-    const auto last = kCells - 1 - static_cast<std::size_t>(std::countl_zero(cells));
+  while (squares != 0) {
+    const auto last = kSquares - 1 - static_cast<std::size_t>(std::countl_zero(squares));
     if (x_[last + 1] <= high) break;
-    cells &= ~(Row{1} << last);
+    squares &= ~(Row{1} << last);
   }
-  return cells;
+  return squares;
 }
 
 template <class Visit>
 bool OpenGrid::visitRows(double low, double high, const Visit& visit) const {
   if (high < y_.front() || low > y_.back()) return false;
-  const double share = std::clamp((low - y_.front()) * rowsPerUnit_, 0.0, static_cast<double>(kCells - 1));
+  const double share = std::clamp((low - y_.front()) * rowsPerUnit_, 0.0, static_cast<double>(kSquares - 1));
   auto row = static_cast<std::size_t>(share);
   while (row > 0 && y_[row] >= low) --row;
-  for (; row < kCells && y_[row] <= high; ++row)
+  for (; row < kSquares && y_[row] <= high; ++row)
     if (visit(row)) return true;
   return false;
 }
 
-OpenGrid::Row OpenGrid::cellsMet(const Slices& triangle, std::size_t row) const {
+OpenGrid::Row OpenGrid::squaresMet(const Slices& triangle, std::size_t row) const {
   const Interval around = triangle.around(y_[row], y_[row + 1]);
   return columnsMeeting(around.low, around.high);
 }
@@ -192,7 +192,7 @@ void OpenGrid::open(const Outline& outline) {
   if (areAllListed_) opened_.push_back(outline);
   const Slices triangle(outline);
   visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
-    open_[row] |= cellsMet(triangle, row);
+    open_[row] |= squaresMet(triangle, row);
     openColumns_ |= open_[row];
     return false;
   });
@@ -215,10 +215,10 @@ bool OpenGrid::mayReach(const Outline& outline) const {
   if (!mayMeet(outline)) return false;
   const Slices triangle(outline);
   const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
-  const auto meetsCell = [&](std::size_t row) {
-    return (open_[row] & columns) != 0 && (open_[row] & cellsMet(triangle, row)) != 0;
+  const auto meetsSquare = [&](std::size_t row) {
+    return (open_[row] & columns) != 0 && (open_[row] & squaresMet(triangle, row)) != 0;
   };
-  if (!visitRows(triangle.lowest(), triangle.highest(), meetsCell)) return false;
+  if (!visitRows(triangle.lowest(), triangle.highest(), meetsSquare)) return false;
   return !areAllListed_ || std::any_of(opened_.begin(), opened_.end(), [&](const Outline& opened) {
     return !isBeside(opened, outline, slack_) && !isBeside(outline, opened, slack_);
   });

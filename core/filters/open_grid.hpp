@@ -13,8 +13,8 @@ namespace footfall::detail {
 
 class Slices;
 
-/// A grid of 64 x 64 cells over the box of a face in the plan. Points are rounded, with their errors; a cell counts as
-/// closed only where that proves it, and open ones may be closed in truth.
+/// A grid of 64 x 64 squares over the box of a face in the plan. Points are rounded, with their errors; a square counts
+/// as closed only where that proves it, and open ones may be closed in truth.
 ///
 /// Proof. The true triangle lies within the rounded one, moved by at most the largest error e of its corners along each
 /// axis; so what holds for the rounded one between the heights low - e and high + e, and e further in or out, holds for
@@ -24,22 +24,22 @@ class OpenGrid {
  public:
   using Outline = std::array<ApproximatePoint, 3>;  ///< outline of a triangle; either way round
 
-  /// Opens all cells that the face reaches.
+  /// Opens all squares that the face reaches.
   OpenGrid(const PlanKernel& kernel, Index face);
 
   /// Closes everything.
   void close();
   /// Opens what a triangle may reach.
   void open(const Outline& triangle);
-  /// Closes the cells that lie in a triangle.
+  /// Closes the squares that lie in a triangle.
   void cover(const Outline& triangle);
   /// True when a triangle may reach something open.
   [[nodiscard]] bool mayReach(const Outline& triangle) const;
   [[nodiscard]] bool isClosed() const;
 
-  static constexpr std::size_t kCells = 64;  ///< number of cells in a row, and of rows
+  static constexpr std::size_t kSquares = 64;  ///< number of squares in a row, and of rows
   [[nodiscard]] bool isOpen(std::size_t column, std::size_t row) const { return (open_[row] >> column & 1) != 0; }
-  /// The middle of a cell, rounded.
+  /// The middle of a square, rounded.
   [[nodiscard]] std::array<double, 2> middle(std::size_t column, std::size_t row) const {
     return {(x_[column] + x_[column + 1]) / 2, (y_[row] + y_[row + 1]) / 2};
   }
@@ -53,15 +53,15 @@ class OpenGrid {
   /// Calls visit(row) for each row that may have something in common with heights from low to high; until it is true.
   template <class Visit>
   bool visitRows(double low, double high, const Visit& visit) const;
-  /// True when the box of a triangle meets an open cell.
+  /// True when the box of a triangle meets an open square.
   [[nodiscard]] bool mayMeet(const Outline& triangle) const;
-  [[nodiscard]] Row cellsMet(const Slices& triangle, std::size_t row) const;
+  [[nodiscard]] Row squaresMet(const Slices& triangle, std::size_t row) const;
 
-  std::array<double, kCells + 1> x_{}, y_{};  ///< the borders of columns and rows
+  std::array<double, kSquares + 1> x_{}, y_{};  ///< the borders of columns and rows
   double columnsPerUnit_ = 0, rowsPerUnit_ = 0;
-  std::array<Row, kCells> open_{};
-  Row openColumns_ = 0;  ///< columns with an open cell
-  /// The triangles opened since all was closed, while they are few: cells are coarse beside thin triangles.
+  std::array<Row, kSquares> open_{};
+  Row openColumns_ = 0;  ///< columns with an open square
+  /// The triangles opened since all was closed, while they are few: squares are coarse beside thin triangles.
   std::vector<Outline> opened_;
   bool areAllListed_ = true;
   double slack_;

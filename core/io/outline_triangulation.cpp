@@ -52,7 +52,7 @@ std::vector<std::size_t> insertionOrder(std::span<const Vec3> corners, std::span
     high = {std::max(high.x, corners[i].x), std::max(high.y, corners[i].y), 0};
   }
   const double width = std::max(high.x / 2 - low.x / 2, high.y / 2 - low.y / 2);
-  const auto cell = [width](double v, double least) {
+  const auto stepOf = [width](double v, double least) {
     return width > 0 ? static_cast<std::uint32_t>(std::clamp((v / 2 - least / 2) / width * 65535, 0.0, 65535.0)) : 0U;
   };
   // Half of all corners go to the last round, a quarter to the round before it, and so on.
@@ -61,7 +61,7 @@ std::vector<std::size_t> insertionOrder(std::span<const Vec3> corners, std::span
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Vec3& p = corners[places[k]];
     const int round = -std::min(std::countr_zero(scrambled(k)), 24);
-    order.emplace_back(round, hilbertIndex(cell(p.x, low.x), cell(p.y, low.y)), k);
+    order.emplace_back(round, hilbertIndex(stepOf(p.x, low.x), stepOf(p.y, low.y)), k);
   }
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> result;

@@ -50,49 +50,49 @@ struct FaceAxis {
 };
 
 /// A stretch of the border of what is left of a face, the feature nearest there, and the node at its end.
-struct AxisCell {
+struct AxisRegion {
   std::uint32_t feature = 0, node = 0;
   FieldVector place;  ///< of the node
 };
 
-/// Takes out the cells of a face one by one.
+/// Takes out the regions of a face one by one.
 class FaceForest {
  public:
-  FaceForest(const ClearanceField& field, std::uint32_t face, std::vector<AxisCell> cells, Poll poll)
-      : field_(field), surface_(field.surface()), face_(face), cells_(std::move(cells)), poll_(poll) {
-    for (const AxisCell& cell : cells_) features_.push_back(cell.feature);
+  FaceForest(const ClearanceField& field, std::uint32_t face, std::vector<AxisRegion> regions, Poll poll)
+      : field_(field), surface_(field.surface()), face_(face), regions_(std::move(regions)), poll_(poll) {
+    for (const AxisRegion& region : regions_) features_.push_back(region.feature);
     std::sort(features_.begin(), features_.end());
     features_.erase(std::unique(features_.begin(), features_.end()), features_.end());
   }
 
   FaceAxis make() {
-    ends_.resize(cells_.size());
-    for (std::size_t i = 0; i < cells_.size(); ++i) {
+    ends_.resize(regions_.size());
+    for (std::size_t i = 0; i < regions_.size(); ++i) {
       if (i % 16 == 15) poll_();
       ends_[i] = endOf(i);
     }
-    while (cells_.size() > 2) {
-      if (cells_.size() % 16 == 15) poll_();
+    while (regions_.size() > 2) {
+      if (regions_.size() % 16 == 15) poll_();
       std::size_t best = 0;
       for (std::size_t i = 1; i < ends_.size(); ++i)
         if (ends_[i].fault < ends_[best].fault) best = i;
-      takeOutCell(best);
+      takeOutRegion(best);
     }
-    if (cells_.size() == 2 && cells_[0].feature != cells_[1].feature)
-      addArc(cells_[0].node, cells_[1].node, cells_[0].feature, cells_[1].feature);
+    if (regions_.size() == 2 && regions_[0].feature != regions_[1].feature)
+      addArc(regions_[0].node, regions_[1].node, regions_[0].feature, regions_[1].feature);
     return std::move(axis_);
   }
 
  private:
-  /// Where a cell ends between its neighbours.
+  /// Where a region ends between its neighbours.
   struct End {
     FieldVector place;
-    double fault = kFarAway;  ///< by how much it is not where three cells meet
+    double fault = kFarAway;  ///< by how much it is not where three regions meet
   };
 
   [[nodiscard]] const FieldFeature& feature(std::uint32_t number) const { return field_.features()[number]; }
-  [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? cells_.size() - 1 : i - 1; }
-  [[nodiscard]] std::size_t behind(std::size_t i) const { return i + 1 == cells_.size() ? 0 : i + 1; }
+  [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? regions_.size() - 1 : i - 1; }
+  [[nodiscard]] std::size_t behind(std::size_t i) const { return i + 1 == regions_.size() ? 0 : i + 1; }
 
   /// By how much a feature is farther from a place than the nearest one, and the place lies outside of the face.
   [[nodiscard]] double faultAt(FieldVector p, std::uint32_t of) const {
@@ -109,13 +109,13 @@ class FaceForest {
   }
 
   [[nodiscard]] End endOf(std::size_t i) const {
-    const AxisCell &last = cells_[before(i)], &own = cells_[i], &next = cells_[behind(i)];
+    const AxisRegion &last = regions_[before(i)], &own = regions_[i], &next = regions_[behind(i)];
     const FieldVector middle = (last.place + own.place) * 0.5;
     if (last.feature == next.feature) {
       const FieldVector p = middleOf(feature(own.feature), feature(last.feature), last.place, own.place);
       return {p, faultAt(p, own.feature)};
     }
-    // Between its own edges the cell of a corner begins.
+    // Between its own edges the region of a corner begins.
     if (pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
         pairOf(field_, own.feature, next.feature) == AxisPair::Joined && feature(own.feature).isCorner())
       return {own.place, kFarAway};
@@ -128,12 +128,12 @@ class FaceForest {
       double fault = 0;
       for (const std::uint32_t f : {last.feature, own.feature, next.feature})
         fault = std::max(fault, faultAt(places[k], f));
-      // A feature may have several cells: the ways to where three meet must lie between these ones.
+      // A feature may have several regions: the ways to where three meet must lie between these ones.
       for (const auto& [other, from] : {std::pair{last.feature, last.place}, std::pair{next.feature, own.place}})
         fault = std::max(fault, faultAt(middleOf(feature(own.feature), feature(other), from, places[k]), own.feature));
       if (fault < end.fault) end = {places[k], fault};
     }
-    // Formulas that say nothing, or too little: the cell ends where its nodes are, as far as that is worse.
+    // Formulas that say nothing, or too little: the region ends where its nodes are, as far as that is worse.
     const double fault =
         std::max(faultAt(middle, last.feature), faultAt(middle, next.feature)) + lengthOf(last.place - own.place);
     return end.fault <= fault ? end : End{middle, fault};
@@ -143,25 +143,25 @@ class FaceForest {
     if (from != to) axis_.arcs.push_back({from, to, {std::min(a, b), std::max(a, b)}, face_});
   }
 
-  void takeOutCell(std::size_t i) {
+  void takeOutRegion(std::size_t i) {
     const std::size_t last = before(i), next = behind(i);
-    if (cells_[last].feature == cells_[next].feature) {
-      addArc(cells_[last].node, cells_[i].node, cells_[i].feature, cells_[last].feature);
-      // Both neighbours are one cell, whose end is that of the second one.
-      cells_[next].feature = cells_[last].feature;
+    if (regions_[last].feature == regions_[next].feature) {
+      addArc(regions_[last].node, regions_[i].node, regions_[i].feature, regions_[last].feature);
+      // Both neighbours are one region, whose end is that of the second one.
+      regions_[next].feature = regions_[last].feature;
       erase({i, last});
       return;
     }
     const FieldVector place = ends_[i].place;
     double distance = kFarAway;
     for (const std::size_t k : {last, i, next})
-      distance = std::min(distance, distanceTo(feature(cells_[k].feature), place));
+      distance = std::min(distance, distanceTo(feature(regions_[k].feature), place));
     const auto node = static_cast<std::uint32_t>(FaceAxis::kOwn + axis_.nodes.size());
     axis_.nodes.push_back({place, distance, face_});
-    addArc(cells_[last].node, node, cells_[last].feature, cells_[i].feature);
-    addArc(cells_[i].node, node, cells_[i].feature, cells_[next].feature);
-    cells_[last].node = node;
-    cells_[last].place = place;
+    addArc(regions_[last].node, node, regions_[last].feature, regions_[i].feature);
+    addArc(regions_[i].node, node, regions_[i].feature, regions_[next].feature);
+    regions_[last].node = node;
+    regions_[last].place = place;
     erase({i});
   }
 
@@ -169,18 +169,18 @@ class FaceForest {
     std::sort(which.rbegin(), which.rend());
     std::size_t near = which.back();
     for (const std::size_t i : which) {
-      cells_.erase(cells_.begin() + static_cast<std::ptrdiff_t>(i));
+      regions_.erase(regions_.begin() + static_cast<std::ptrdiff_t>(i));
       ends_.erase(ends_.begin() + static_cast<std::ptrdiff_t>(i));
     }
-    if (cells_.size() <= 2) return;
-    near = near >= cells_.size() ? 0 : near;
+    if (regions_.size() <= 2) return;
+    near = near >= regions_.size() ? 0 : near;
     for (const std::size_t i : {before(before(near)), before(near), near, behind(near)}) ends_[i] = endOf(i);
   }
 
   const ClearanceField& field_;
   const FieldSurface& surface_;
   std::uint32_t face_;
-  std::vector<AxisCell> cells_;
+  std::vector<AxisRegion> regions_;
   std::vector<End> ends_;
   std::vector<std::uint32_t> features_;
   Poll poll_;
@@ -200,8 +200,8 @@ class AxisMaker {
       for (std::size_t f = begin; f < end; ++f) {
         const auto face = static_cast<std::uint32_t>(f);
         if (!surface_.takesPart(face)) continue;
-        std::vector<AxisCell> cells = cellsOf(face);
-        if (cells.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(cells), poll_).make();
+        std::vector<AxisRegion> regions = regionsOf(face);
+        if (regions.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(regions), poll_).make();
       }
     });
     for (const FaceAxis& piece : pieces) {
@@ -221,7 +221,7 @@ class AxisMaker {
   }
 
  private:
-  /// Makes one node of those that very short arcs join. Where features are equally near along a whole stretch, cells
+  /// Makes one node of those that very short arcs join. Where features are equally near along a whole stretch, regions
   /// without area may lie between them, with an arc on either side: such pairs go.
   void joinNear() {
     const double least = 4 * field_.margin();
@@ -288,15 +288,15 @@ class AxisMaker {
       }
   }
 
-  [[nodiscard]] std::vector<AxisCell> cellsOf(std::uint32_t face) const {
-    std::vector<AxisCell> cells;
-    const auto add = [&](const AxisCell& cell) {
-      if (!cells.empty() && cells.back().feature == cell.feature) cells.pop_back();
-      cells.push_back(cell);
+  [[nodiscard]] std::vector<AxisRegion> regionsOf(std::uint32_t face) const {
+    std::vector<AxisRegion> regions;
+    const auto add = [&](const AxisRegion& region) {
+      if (!regions.empty() && regions.back().feature == region.feature) regions.pop_back();
+      regions.push_back(region);
     };
     for (int side = 0; side < 3; ++side) {
       const std::uint32_t fan = surface_.topology.fans[face][side], own = field_.featureOfFan(fan);
-      // The cell of a corner of the border may touch the border of the face nowhere else.
+      // The region of a corner of the border may touch the border of the face nowhere else.
       if (own != kNoFeature) add({own, cornerNodes_ + fan, surface_.corner(face, side)});
       const std::uint32_t half = surface_.halves[face][side], edge = half >> 1;
       const auto& labels = labels_[edge];
@@ -310,9 +310,9 @@ class AxisMaker {
         add({labels[at].feature, end, axis_.nodes[end].place});
       }
     }
-    while (cells.size() > 1 && cells.front().feature == cells.back().feature) cells.pop_back();
-    if (cells.size() == 1) cells.clear();
-    return cells;
+    while (regions.size() > 1 && regions.front().feature == regions.back().feature) regions.pop_back();
+    if (regions.size() == 1) regions.clear();
+    return regions;
   }
 
   const ClearanceField& field_;

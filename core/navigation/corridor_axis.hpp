@@ -17,7 +17,7 @@ struct AxisNode {
   std::uint32_t face = 0;
 };
 
-/// A piece of the axis within a face, between the cells of two features.
+/// A piece of the axis within a face, between the regions of two features.
 struct AxisArc {
   std::uint32_t from = 0, to = 0;           ///< nodes
   std::array<std::uint32_t, 2> features{};  ///< ascending
@@ -31,16 +31,17 @@ enum class AxisPair {
   Joined   ///< both have the same nearest place: a corner and its edge, or edges that go on straight
 };
 
-/// All borders between cells, those of Joined pairs as well: together they divide the mesh into the cells of features.
+/// All borders between regions, those of Joined pairs as well: together they divide the mesh into the regions of
+/// features.
 struct CorridorAxis {
   std::vector<AxisNode> nodes;
   std::vector<AxisArc> arcs;
 };
 
-/// The nodes of each mesh edge are computed once and shared by both of its faces. Within a face, the cells of features
-/// meet its border, so the axis is a forest whose leaves are those nodes. The forest is found by taking out, one by
-/// one, the cell that ends nearest at hand, as its labels along the border of the face say; so it hangs together
-/// however places are rounded, which are in doubles.
+/// The nodes of each mesh edge are computed once and shared by both of its faces. Within a face, the regions of
+/// features meet its border, so the axis is a forest whose leaves are those nodes. The forest is found by taking out,
+/// one by one, the region that ends nearest at hand, as its labels along the border of the face say; so it hangs
+/// together however places are rounded, which are in doubles.
 CorridorAxis makeCorridorAxis(const ClearanceField& field, Poll poll = {});
 
 AxisPair pairOf(const ClearanceField& field, std::uint32_t a, std::uint32_t b);

@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-/// A chain of arcs between the cells of the same two features.
+/// A chain of arcs between the regions of the same two features.
 struct CorridorChain {
   std::uint32_t from = 0, to = 0;     ///< nodes of the axis
   std::uint32_t left = 0, right = 0;  ///< features

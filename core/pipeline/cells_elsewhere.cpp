@@ -3,18 +3,18 @@
 #include <algorithm>
 #include <string>
 
-#include "core/pipeline/cell_run.hpp"
+#include "core/pipeline/block_run.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {
 
 // True when the floor belongs to this cell; it is shared but must not be cut into parts.
-bool CellRun::isWholeOf(Index cell, Index face) const {
+bool BlockRun::isWholeOf(Index cell, Index face) const {
   return shares_[sharesOf_[face]].counted == cell && !filters_.clearance->canShare(face);
 }
 
 // Shares that arrived wait until the floors of all cells are known.
-bool CellRun::takeArrived(int thread) {
+bool BlockRun::takeArrived(int thread) {
   if (elsewhere_.exchange == nullptr || !merges() || othersToTest_ > 0) return false;
   const std::optional<ArrivedShare> arrived = elsewhere_.exchange->take();
   if (!arrived) return false;
@@ -30,7 +30,7 @@ bool CellRun::takeArrived(int thread) {
   return true;
 }
 
-void CellRun::addArrived(const ArrivedShare& arrived, int thread) {
+void BlockRun::addArrived(const ArrivedShare& arrived, int thread) {
   const Index cell = arrived.cell;
   if (cell < 0 || static_cast<std::size_t>(cell) >= cells_.size() || isMine(cell) ||
       cells_[cell].rest.exchange(Rest::Ready) == Rest::Ready)
@@ -38,14 +38,14 @@ void CellRun::addArrived(const ArrivedShare& arrived, int thread) {
   CellShare share = elsewhere_.reader->read(cell, arrived.bytes);
   addFaces(cell, share);
   if (arrived.hasTimes) addTimes(cell, share.times, arrived, thread);
-  CellWork& work = cells_[cell];
+  CellState& work = cells_[cell];
   const std::size_t sum = itemsDone_.fetch_add(work.floors.size(), std::memory_order_relaxed);
   reportItems(sum);
   done(cell, 1);
 }
 
-void CellRun::addFaces(Index cell, CellShare& share) {
-  CellWork& work = cells_[cell];
+void BlockRun::addFaces(Index cell, CellShare& share) {
+  CellState& work = cells_[cell];
   const auto isDivided = [&](Index face) { return sharesOf_[face] >= 0 && filters_.clearance->canShare(face); };
   for (FaceResult& result : share.faces)
     filters_.clearance->setResult(result.face, std::move(result.cuts), std::move(result.mesh));
@@ -63,7 +63,7 @@ void CellRun::addFaces(Index cell, CellShare& share) {
   work.trianglesOut += triangles;
 }
 
-void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread) {
+void BlockRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& arrived, int thread) {
   const std::lock_guard lock(cells_[cell].mutex);
   CellReport& report = reports_[cell];
   report.thread = times.thread + arrived.firstThread;
@@ -77,9 +77,9 @@ void CellRun::addTimes(Index cell, const ShareTimes& times, const ArrivedShare& 
 }
 
 // All of the cell is done, but for floors that wait for parts of other cells.
-void CellRun::give(Index cell) {
+void BlockRun::give(Index cell) {
   CellShare share;
-  CellWork& work = cells_[cell];
+  CellState& work = cells_[cell];
   for (const Index face : work.floors) {
     if (sharesOf_[face] >= 0 && !isWholeOf(cell, face)) continue;
     if (const auto& cuts = filters_.clearance->cutsOf(face))

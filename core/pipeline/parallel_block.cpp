@@ -9,7 +9,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/pipeline/cell_run.hpp"
+#include "core/pipeline/block_run.hpp"
 #include "core/pipeline/result_cache.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
@@ -118,8 +118,8 @@ class Block {
     }
     CellsElsewhere elsewhere;
     if (pass && request_.exchange != nullptr) elsewhere = divideCells(k + tests.size(), tests, *pass);
-    CellRun cells(partition_, floors_, *mesh_, state_->walkable, std::move(filters), outcome_.report.cells, clock_,
-                  context_, elsewhere);
+    BlockRun cells(partition_, floors_, *mesh_, state_->walkable, std::move(filters), outcome_.report.cells, clock_,
+                   context_, elsewhere);
     cells.run();
     if (elsewhere.exchange != nullptr && !elsewhere.exchange->merges()) {
       state_ = nullptr;
@@ -164,7 +164,7 @@ class Block {
   }
 
   // Turns the findings of the cells into the filter's own state.
-  void applyTest(std::size_t k, std::size_t passed, const CellRun& cells) {
+  void applyTest(std::size_t k, std::size_t passed, const BlockRun& cells) {
     if (request_.steps[k]->filter->type == FilterType::Degeneracy) {
       FilterOutcome outcome = applyDegeneracy(state_, context_);
       state_ = std::move(outcome.state);
@@ -178,7 +178,7 @@ class Block {
   }
 
   // A step that ran on all cells: its share of the time is the one that it had of the threads.
-  void finishCellStep(std::size_t k, double startMs, double wallMs, std::size_t filter, const CellRun& cells) {
+  void finishCellStep(std::size_t k, double startMs, double wallMs, std::size_t filter, const BlockRun& cells) {
     const double own = cells.workMs(filter), all = cells.workMs();
     StepStatistics& step = addStep(k, startMs, all > 0 ? wallMs * own / all : 0, own);
     step.note = std::exchange(note_, {});

@@ -217,8 +217,8 @@ std::vector<QStringList> AgentModel::rows() const {
   for (int column = 0; column < State; ++column)
     rows[0] << headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
   for (int row = 0; row < rowCount(); ++row) {
-    QStringList& cells = rows.emplace_back();
-    for (int column = 0; column < State; ++column) cells << index(row, column).data().toString();
+    QStringList& fields = rows.emplace_back();
+    for (int column = 0; column < State; ++column) fields << index(row, column).data().toString();
   }
   return rows;
 }
@@ -231,12 +231,12 @@ QString tableText(const std::vector<QStringList>& rows) {
   }
   QString text;
   for (const QStringList& row : rows) {
-    QStringList cells;
+    QStringList fields;
     for (std::size_t i = 0; i < widths.size(); ++i) {
-      const QString& cell = row[static_cast<qsizetype>(i)];
-      cells << (i == 0 ? cell.leftJustified(widths[i]) : cell.rightJustified(widths[i]));
+      const QString& field = row[static_cast<qsizetype>(i)];
+      fields << (i == 0 ? field.leftJustified(widths[i]) : field.rightJustified(widths[i]));
     }
-    text += cells.join(QStringLiteral("  ")) + QLatin1Char('\n');
+    text += fields.join(QStringLiteral("  ")) + QLatin1Char('\n');
   }
   return text;
 }
@@ -244,13 +244,13 @@ QString tableText(const std::vector<QStringList>& rows) {
 QString tableCsv(const std::vector<QStringList>& rows) {
   QString text;
   for (const QStringList& row : rows) {
-    QStringList cells;
-    for (QString cell : row) {
-      if (cell.contains(QLatin1Char(',')) || cell.contains(QLatin1Char('"')) || cell.contains(QLatin1Char('\n')))
-        cell = QLatin1Char('"') + cell.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"');
-      cells << cell;
+    QStringList fields;
+    for (QString field : row) {
+      if (field.contains(QLatin1Char(',')) || field.contains(QLatin1Char('"')) || field.contains(QLatin1Char('\n')))
+        field = QLatin1Char('"') + field.replace(QLatin1Char('"'), QLatin1String("\"\"")) + QLatin1Char('"');
+      fields << field;
     }
-    text += cells.join(QLatin1Char(',')) + QStringLiteral("\r\n");
+    text += fields.join(QLatin1Char(',')) + QStringLiteral("\r\n");
   }
   return text;
 }

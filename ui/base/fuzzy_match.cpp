@@ -35,49 +35,50 @@ std::optional<FuzzyMatch> fuzzyMatch(const QString& pattern, const QString& text
   const auto length = static_cast<int>(std::min(folded.size(), text.size()));
   if (count == 0) return FuzzyMatch{};
   if (count > length) return std::nullopt;
-  const auto cells = static_cast<std::size_t>(count) * static_cast<std::size_t>(length);
-  std::vector<int> best(cells, kNone), from(cells, -1);
-  const auto cell = [length](int i, int j) { return static_cast<std::size_t>(i * length + j); };
+  const auto places = static_cast<std::size_t>(count) * static_cast<std::size_t>(length);
+  std::vector<int> best(places, kNone), from(places, -1);
+  const auto placeOf = [length](int i, int j) { return static_cast<std::size_t>(i * length + j); };
   for (int i = 0; i < count; ++i) {
     int before = kNone;  // the best score that ends before j, gaps up to j included
     int beforeAt = -1;
     for (int j = 0; j < length; ++j) {
       if (i > 0 && j > 0) {
         before -= kGap;
-        if (best[cell(i - 1, j - 1)] > before) {
-          before = best[cell(i - 1, j - 1)];
+        if (best[placeOf(i - 1, j - 1)] > before) {
+          before = best[placeOf(i - 1, j - 1)];
           beforeAt = j - 1;
         }
       }
       if (folded[j] != letters[i]) continue;
       const int letter = kLetter + (beginsWord(text, j) ? kWordStart : 0);
-      int& score = best[cell(i, j)];
+      int& score = best[placeOf(i, j)];
       if (i == 0) {
         score = letter - std::min(j, 2 * kLetter) * kGap;
         continue;
       }
       if (before > kNone / 2) {
         score = before + letter;
-        from[cell(i, j)] = beforeAt;
+        from[placeOf(i, j)] = beforeAt;
       }
-      if (j > 0 && best[cell(i - 1, j - 1)] > kNone / 2 && best[cell(i - 1, j - 1)] + letter + kFollows > score) {
-        score = best[cell(i - 1, j - 1)] + letter + kFollows;
-        from[cell(i, j)] = j - 1;
+      if (j > 0 && best[placeOf(i - 1, j - 1)] > kNone / 2 && best[placeOf(i - 1, j - 1)] + letter + kFollows > score) {
+        score = best[placeOf(i - 1, j - 1)] + letter + kFollows;
+        from[placeOf(i, j)] = j - 1;
       }
     }
   }
   int end = -1;
   for (int j = 0; j < length; ++j) {
-    if (best[cell(count - 1, j)] > kNone / 2 && (end < 0 || best[cell(count - 1, j)] > best[cell(count - 1, end)]))
+    if (best[placeOf(count - 1, j)] > kNone / 2 &&
+        (end < 0 || best[placeOf(count - 1, j)] > best[placeOf(count - 1, end)]))
       end = j;
   }
   if (end < 0) return std::nullopt;
   FuzzyMatch match;
   // The shorter of two texts matches better at the same places.
-  match.score = std::max(1, 4 * best[cell(count - 1, end)] - length / 8);
+  match.score = std::max(1, 4 * best[placeOf(count - 1, end)] - length / 8);
   for (int i = count - 1, j = end; i >= 0; --i) {
     match.positions.prepend(j);
-    j = from[cell(i, j)];
+    j = from[placeOf(i, j)];
   }
   return match;
 }

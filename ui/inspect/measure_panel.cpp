@@ -80,10 +80,10 @@ void MeasurePanel::showPlaces() {
     const Measure m = measureBetween(places[k], places[k + 1]);
     distance += m.distance;
     plan += m.plan;
-    const std::array<QString, 5> cells{units.lengthNumber(m.distance), units.lengthNumber(m.plan),
-                                       units.lengthNumber(m.height), fixedText(m.degrees, 1), fixedText(m.percent, 1)};
+    const std::array<QString, 5> fields{units.lengthNumber(m.distance), units.lengthNumber(m.plan),
+                                        units.lengthNumber(m.height), fixedText(m.degrees, 1), fixedText(m.percent, 1)};
     for (int column = 0; column < 5; ++column) {
-      auto* item = new QTableWidgetItem(cells[static_cast<std::size_t>(column)]);
+      auto* item = new QTableWidgetItem(fields[static_cast<std::size_t>(column)]);
       item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
       item->setToolTip(measureSummary(m, units));
       table_->setItem(i, column, item);

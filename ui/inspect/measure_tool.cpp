@@ -100,16 +100,16 @@ QString MeasureTool::text() const {
   Measure sum;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Vec3 p = units_.shownPlace(places_[i]);
-    QStringList cells{numberText(p.x), numberText(p.y), numberText(p.z)};
+    QStringList fields{numberText(p.x), numberText(p.y), numberText(p.z)};
     if (i > 0) {
       const Measure m = measureBetween(places_[i - 1], places_[i]);
-      cells << length(m.distance) << length(m.plan) << length(m.height) << numberText(m.degrees)
-            << (std::isfinite(m.percent) ? numberText(m.percent) : QString());
+      fields << length(m.distance) << length(m.plan) << length(m.height) << numberText(m.degrees)
+             << (std::isfinite(m.percent) ? numberText(m.percent) : QString());
       sum.distance += m.distance;
       sum.plan += m.plan;
       sum.height += m.height;
     }
-    text += cells.join(QLatin1Char('\t')) + QLatin1Char('\n');
+    text += fields.join(QLatin1Char('\t')) + QLatin1Char('\n');
   }
   if (places_.size() > 2)
     text += tr("sum") + QStringLiteral("\t\t\t") +

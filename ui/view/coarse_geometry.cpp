@@ -36,17 +36,17 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
     for (std::size_t axis = 0; axis < 3; ++axis) lower[axis] = std::min(lower[axis], surface[v].position[axis]);
   }
   // A surface of this area has two triangles for each grid cube that it passes through.
-  const double cell = std::sqrt(2 * area / static_cast<double>(kCoarseAim));
-  if (!(cell > 0)) return coarse;
-  std::unordered_map<std::uint64_t, std::uint32_t> cells;  // the first corner in each cube
-  cells.reserve(kCoarseAim);
+  const double side = std::sqrt(2 * area / static_cast<double>(kCoarseAim));
+  if (!(side > 0)) return coarse;
+  std::unordered_map<std::uint64_t, std::uint32_t> cubes;  // the first corner in each cube
+  cubes.reserve(kCoarseAim);
   const auto cornerOf = [&](std::uint32_t vertex) {
     std::uint64_t key = 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double steps = std::floor((surface[vertex].position[axis] - lower[axis]) / cell);
+      const double steps = std::floor((surface[vertex].position[axis] - lower[axis]) / side);
       key = key << 21U | static_cast<std::uint64_t>(std::clamp(steps, 0.0, 2097151.0));
     }
-    return cells.try_emplace(key, vertex).first->second;
+    return cubes.try_emplace(key, vertex).first->second;
   };
   std::unordered_set<std::uint64_t> known;
   known.reserve(2 * kCoarseAim);

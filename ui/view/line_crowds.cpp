@@ -10,7 +10,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr std::size_t kFew = 64;  // fewer lines do not fill a picture
-constexpr float kCells = 256;     // grid squares along the largest extent
+constexpr float kSquares = 256;   // grid squares along the largest extent
 // height of a band in grid squares: lines at other heights, but not far above each other, form one crowd
 constexpr float kBand = 32;
 
@@ -32,11 +32,11 @@ class CrowdGrid {
           lower_[axis] = std::min(lower_[axis], p[axis]);
           upper[axis] = std::max(upper[axis], p[axis]);
         }
-    cell_ = std::max({upper[0] - lower_[0], upper[1] - lower_[1], upper[2] - lower_[2]}) / kCells;
-    if (!(cell_ > 0) || !std::isfinite(cell_)) return;
-    band_ = kBand * cell_;
+    side_ = std::max({upper[0] - lower_[0], upper[1] - lower_[1], upper[2] - lower_[2]}) / kSquares;
+    if (!(side_ > 0) || !std::isfinite(side_)) return;
+    band_ = kBand * side_;
     for (std::size_t axis = 0; axis < 3; ++axis)
-      counts_[axis] = static_cast<int>((upper[axis] - lower_[axis]) / (axis < 2 ? cell_ : band_)) + 1;
+      counts_[axis] = static_cast<int>((upper[axis] - lower_[axis]) / (axis < 2 ? side_ : band_)) + 1;
     sums_.resize(static_cast<std::size_t>(counts_[0]) * counts_[1] * counts_[2]);
     for (const LineSegment& line : lines) add(line);
   }
@@ -48,9 +48,9 @@ class CrowdGrid {
     forSamples(line, samples, [&](const std::array<int, 3>& at) { addAround(at, sum); });
     // The line itself contributes one line through the whole neighbourhood, plus the error of the grid; if there is no
     // more, it is alone.
-    const float own = static_cast<float>(samples) * kAround * cell_;
+    const float own = static_cast<float>(samples) * kAround * side_;
     const float share = std::clamp(2 * (sum.length / own - 1.25F), 0.0F, 1.0F);
-    const float area = own * kAround * cell_;
+    const float area = own * kAround * side_;
     return {share * sum.length / area, share * sum.number / area};
   }
 
@@ -60,7 +60,7 @@ class CrowdGrid {
   };
   static constexpr float kAround = 3;  // squares in either direction
 
-  [[nodiscard]] int samplesOf(const LineSegment& line) const { return static_cast<int>(lengthOf(line) / cell_) + 1; }
+  [[nodiscard]] int samplesOf(const LineSegment& line) const { return static_cast<int>(lengthOf(line) / side_) + 1; }
   template <typename Visit>
   void forSamples(const LineSegment& line, int samples, Visit visit) const {
     for (int i = 0; i < samples; ++i) {
@@ -68,7 +68,7 @@ class CrowdGrid {
       std::array<int, 3> at{};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const float place = line.from[axis] + t * (line.to[axis] - line.from[axis]) - lower_[axis];
-        at[axis] = std::clamp(static_cast<int>(place / (axis < 2 ? cell_ : band_)), 0, counts_[axis] - 1);
+        at[axis] = std::clamp(static_cast<int>(place / (axis < 2 ? side_ : band_)), 0, counts_[axis] - 1);
       }
       visit(at);
     }
@@ -88,14 +88,14 @@ class CrowdGrid {
   void addAround(const std::array<int, 3>& at, Sum& sum) const {
     for (int y = std::max(at[1] - 1, 0); y <= std::min(at[1] + 1, counts_[1] - 1); ++y)
       for (int x = std::max(at[0] - 1, 0); x <= std::min(at[0] + 1, counts_[0] - 1); ++x) {
-        const Sum& cell = sums_[indexOf(x, y, at[2])];
-        sum.length += cell.length;
-        sum.number += cell.number;
+        const Sum& square = sums_[indexOf(x, y, at[2])];
+        sum.length += square.length;
+        sum.number += square.number;
       }
   }
 
   Point lower_{};
-  float cell_ = 0, band_ = 0;
+  float side_ = 0, band_ = 0;
   std::array<int, 3> counts_{};
   std::vector<Sum> sums_;
 };

@@ -80,7 +80,7 @@ void ClearanceCandidates::begin(Index face) {
   isCoverSought_ = areKnownToCover_ = false;
   overlapInPlane_ = false;
   mayLeaveOut_ = true;
-  openCells_.reset();
+  openSquares_.reset();
   box_ = clearanceBox(mesh_, face, height_);
   const auto& f = mesh_.triangles[face];
   const auto& n = mesh_.normals[face];
@@ -98,7 +98,7 @@ void ClearanceCandidates::begin(Index face) {
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
   begin(face);
   search(box_);
-  findOpenCells();
+  findOpenSquares();
   return candidates_;
 }
 
@@ -131,7 +131,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   begin(face);
   if (knownHeight < height_ && !isLevel_) {
     search(box_);
-    findOpenCells();
+    findOpenSquares();
     return candidates_;
   }
   mayLeaveOut_ = false;
@@ -152,7 +152,7 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   crowding_->restart(face);
   for (const ClearanceCandidate& candidate : candidates_) crowding_->add(candidate.obstacle);
   areKnownToCover_ = crowding_->isCrowd() && proveCover();
-  findOpenCells();
+  findOpenSquares();
   return candidates_;
 }
 
@@ -195,44 +195,44 @@ void ClearanceCandidates::consider(Index obstacle) {
   }
   candidates_.push_back(candidate);
   crowding_->add(obstacle);
-  if (openCells_) closeCells(candidate);
+  if (openSquares_) closeSquares(candidate);
   if (!crowding_->isCrowd()) return;
   if (!isCoverSought_) {
     isCoverSought_ = true;
     areKnownToCover_ = proveCover();
   }
-  if (mayLeaveOut_) findOpenCells();
+  if (mayLeaveOut_) findOpenSquares();
 }
 
-// An obstacle that closes no open cell is not needed: the same cells are open in the end with or without it, and
+// An obstacle that closes no open square is not needed: the same squares are open in the end with or without it, and
 // obstacles that reach those are never left out. Cuts that depend on floors are never derived from known ones, so it is
 // not missed later.
 bool ClearanceCandidates::isLeftOut(Index obstacle) const {
-  return openCells_ && mesh_.facing[obstacle] != 0 &&
-         !openCells_->mayReach(outlineInPlan(kernel_, obstacle, mesh_.triangles[face_][0]));
+  return openSquares_ && mesh_.facing[obstacle] != 0 &&
+         !openSquares_->mayReach(outlineInPlan(kernel_, obstacle, mesh_.triangles[face_][0]));
 }
 
-void ClearanceCandidates::findOpenCells() {
-  if (openCells_ || areKnownToCover_ || !overlapInPlane_ || !crowding_->isCrowd()) return;
-  openCells_.emplace(kernel_, face_);
-  for (const ClearanceCandidate& candidate : candidates_) closeCells(candidate);
+void ClearanceCandidates::findOpenSquares() {
+  if (openSquares_ || areKnownToCover_ || !overlapInPlane_ || !crowding_->isCrowd()) return;
+  openSquares_.emplace(kernel_, face_);
+  for (const ClearanceCandidate& candidate : candidates_) closeSquares(candidate);
 }
 
-void ClearanceCandidates::closeCells(const ClearanceCandidate& candidate) {
+void ClearanceCandidates::closeSquares(const ClearanceCandidate& candidate) {
   if (mesh_.facing[candidate.obstacle] != 0 && candidate.takesAll())
-    openCells_->cover(outlineInPlan(kernel_, candidate.obstacle, mesh_.triangles[face_][0]));
+    openSquares_->cover(outlineInPlan(kernel_, candidate.obstacle, mesh_.triangles[face_][0]));
 }
 
-// In a deep crowd most floors are covered many times over, and a few obstacles prove it. Cells are tested in an order
+// In a deep crowd most floors are covered many times over, and a few obstacles prove it. Squares are tested in an order
 // that spreads, so that floors with something open are found soon.
 bool ClearanceCandidates::proveCover() {
   const Index origin = mesh_.triangles[face_][0];
   const Vec3& base = mesh_.vertices[origin];
   OpenGrid grid(kernel_, face_);
   std::vector<std::int32_t> stack;
-  for (std::uint32_t i = 0; i < OpenGrid::kCells * OpenGrid::kCells; ++i) {
+  for (std::uint32_t i = 0; i < OpenGrid::kSquares * OpenGrid::kSquares; ++i) {
     std::size_t column = 0, row = 0;
-    for (std::uint32_t bit = 0, half = OpenGrid::kCells / 2; half > 0; bit += 2, half /= 2) {
+    for (std::uint32_t bit = 0, half = OpenGrid::kSquares / 2; half > 0; bit += 2, half /= 2) {
       column += (i >> bit & 1) * half;
       row += (i >> (bit + 1) & 1) * half;
     }

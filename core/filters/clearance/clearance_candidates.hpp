@@ -49,8 +49,8 @@ class ClearanceCandidates {
   ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
-  /// that come before it; in the order of the triangles. Not all when areKnownToCover() or with openCells(). Good until
-  /// the next call.
+  /// that come before it; in the order of the triangles. Not all when areKnownToCover() or with openSquares(). Good
+  /// until the next call.
   std::span<const ClearanceCandidate> find(Index face);
 
   /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
@@ -69,9 +69,10 @@ class ClearanceCandidates {
   [[nodiscard]] const Crowding& crowding() const { return *crowding_; }
   /// True when the candidates were proven to cover the whole face. Depends on them alone, not on the search.
   [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
-  /// The cells that no obstacle covers alone, for a crowd with floors in the face's own plane; else null. All obstacles
-  /// that reach an open cell were found, and some of the others. The cells depend on the environment alone.
-  [[nodiscard]] const OpenGrid* openCells() const { return openCells_ ? &*openCells_ : nullptr; }
+  /// The squares that no obstacle covers alone, for a crowd with floors in the face's own plane; else null. All
+  /// obstacles that reach an open square were found, and some of the others. The squares depend on the environment
+  /// alone.
+  [[nodiscard]] const OpenGrid* openSquares() const { return openSquares_ ? &*openSquares_ : nullptr; }
   /// True when some other triangle in the face's plane would be among them if it was a floor, or is because it is one.
   [[nodiscard]] bool dependsOnFloors() const { return dependsOnFloors_; }
 
@@ -117,11 +118,11 @@ class ClearanceCandidates {
   /// True when an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);
   [[nodiscard]] bool isWallApart(Index wall);
-  /// True when each cell of a grid over the face lies under one obstacle that covers all of it.
+  /// True when each square of a grid over the face lies under one obstacle that covers all of it.
   bool proveCover();
-  /// Makes openCells() of the candidates when that is due.
-  void findOpenCells();
-  void closeCells(const ClearanceCandidate& candidate);
+  /// Makes openSquares() of the candidates when that is due.
+  void findOpenSquares();
+  void closeSquares(const ClearanceCandidate& candidate);
   /// True when a search need not look at the obstacle any closer.
   [[nodiscard]] bool isLeftOut(Index obstacle) const;
 
@@ -153,7 +154,7 @@ class ClearanceCandidates {
   bool isCoverSought_ = false, areKnownToCover_ = false;
   bool overlapInPlane_ = false;  ///< some triangle in the face's plane comes before it and overlaps it
   bool mayLeaveOut_ = true;
-  std::optional<OpenGrid> openCells_;
+  std::optional<OpenGrid> openSquares_;
   std::vector<std::int32_t> stack_;
 };
 

@@ -174,12 +174,12 @@ std::vector<std::size_t> largestFirst(const SourceMesh& mesh, Index face,
 // Outlines of a crowd cross each other inside what is taken away anyway, as the square of its depth. So obstacles are
 // left out that a grid proves to lie where others stay, and of the rest never more are cut at once than a share of what
 // has been kept: of those only the outline goes on. In a crowd with floors in the face's own plane a search leaves out
-// what only lies where others stay: what nothing then covers, and reaches no open cell, is known to be covered.
+// what only lies where others stay: what nothing then covers, and reaches no open square, is known to be covered.
 bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates) {
   constexpr std::size_t kAtOnce = 8;
   startGeometry();
-  const OpenGrid* openCells = candidates_.openCells();
-  OpenGrid grid = openCells != nullptr ? *openCells : OpenGrid(geometry_.kernel(), face_);
+  const OpenGrid* openSquares = candidates_.openSquares();
+  OpenGrid grid = openSquares != nullptr ? *openSquares : OpenGrid(geometry_.kernel(), face_);
   std::vector<std::size_t> order = largestFirst(mesh_, face_, candidates, poll_), kept;
   for (const bool whole : {true, false})
     for (const std::size_t i : order) {
@@ -190,7 +190,7 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
       const OpenGrid::Outline outline = outlineInPlan(geometry_.kernel(), candidate.obstacle, geometry_.origin());
       if (!(isWall && isWallOfEdge(candidate)) && !grid.mayReach(outline)) continue;
       kept.push_back(i);
-      if (whole && openCells == nullptr) grid.cover(outline);
+      if (whole && openSquares == nullptr) grid.cover(outline);
     }
   if (grid.isClosed()) return false;
 
@@ -210,8 +210,8 @@ bool ClearanceClipper::clipCrowd(std::span<const ClearanceCandidate> candidates)
     isReduced = true;
     added = 0;
   }
-  if (openCells == nullptr) return true;
-  keepOutline(grid, openCells);
+  if (openSquares == nullptr) return true;
+  keepOutline(grid, openSquares);
   return !grid.isClosed();
 }
 

@@ -9,10 +9,10 @@
 namespace footfall::detail {
 namespace {
 
-// Scaled coordinates are below 2^37, so corners of all cells are doubles.
+// Scaled coordinates are below 2^37, so corners of all squares are doubles.
 constexpr double kHalfSide = 0x1p37;
 constexpr int kDeepest = 24;
-constexpr std::size_t kCellsOfPiece = 4;
+constexpr std::size_t kSquaresOfPiece = 4;
 
 }  // namespace
 
@@ -47,14 +47,14 @@ std::uint32_t LayerCover::Runs::firstMissing(std::uint32_t number) const {
   return std::max(number, std::prev(next)->second);
 }
 
-std::uint64_t LayerCover::keyOf(const Cell& cell) {
-  return static_cast<std::uint64_t>(cell.level) << 56 | static_cast<std::uint64_t>(cell.x) << 28 | cell.y;
+std::uint64_t LayerCover::keyOf(const Square& square) {
+  return static_cast<std::uint64_t>(square.level) << 56 | static_cast<std::uint64_t>(square.x) << 28 | square.y;
 }
 
 // Decided by rounded coordinates with their bounds: false says nothing.
-bool LayerCover::isInside(const Cell& cell, const PlanTriangle& t) const {
-  const double side = std::ldexp(2 * kHalfSide, -cell.level);
-  const double left = -kHalfSide + side * cell.x, bottom = -kHalfSide + side * cell.y;
+bool LayerCover::isInside(const Square& square, const PlanTriangle& t) const {
+  const double side = std::ldexp(2 * kHalfSide, -square.level);
+  const double left = -kHalfSide + side * square.x, bottom = -kHalfSide + side * square.y;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t n = (k + 1) % 3;
     for (const double x : {left, left + side})
@@ -76,7 +76,7 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
     if (!std::isfinite(size)) continue;
     largest.emplace_back(-size, t);
     std::push_heap(largest.begin(), largest.end());
-    if (largest.size() <= kCellsOfPiece) continue;
+    if (largest.size() <= kSquaresOfPiece) continue;
     std::pop_heap(largest.begin(), largest.end());
     largest.pop_back();
   }
@@ -86,9 +86,9 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
     if (!(x >= 0 && y >= 0 && x < 2 * kHalfSide && y < 2 * kHalfSide)) continue;
     for (int level = 0; level <= kDeepest; ++level) {
       const double side = std::ldexp(2 * kHalfSide, -level);
-      const Cell cell{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
-      if (side > -size || !isInside(cell, p)) continue;
-      piece.inside.push_back(cell);
+      const Square square{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
+      if (side > -size || !isInside(square, p)) continue;
+      piece.inside.push_back(square);
       break;
     }
   }
@@ -97,9 +97,9 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
 
 std::vector<const LayerCover::Runs*> LayerCover::knownFor(const Piece& piece) const {
   std::vector<const Runs*> known;
-  for (const Cell& cell : piece.inside) {
-    if (const auto node = nodes_.find(keyOf(cell)); node != nodes_.end()) known.push_back(&node->second.within);
-    for (Cell at = cell; at.level >= 0; at = {at.level - 1, at.x / 2, at.y / 2})
+  for (const Square& square : piece.inside) {
+    if (const auto node = nodes_.find(keyOf(square)); node != nodes_.end()) known.push_back(&node->second.within);
+    for (Square at = square; at.level >= 0; at = {at.level - 1, at.x / 2, at.y / 2})
       if (const auto node = nodes_.find(keyOf(at)); node != nodes_.end()) known.push_back(&node->second.around);
   }
   return known;
@@ -143,9 +143,9 @@ std::uint32_t LayerCover::firstFree(const Piece& piece) {
 
 void LayerCover::add(const Piece& piece, std::uint32_t layer) {
   if (layer == layerCount()) layers_.emplace_back(mesh_);
-  for (const Cell& cell : piece.inside) {
-    nodes_[keyOf(cell)].around.insert(layer);
-    for (Cell at = cell; --at.level >= 0;) {
+  for (const Square& square : piece.inside) {
+    nodes_[keyOf(square)].around.insert(layer);
+    for (Square at = square; --at.level >= 0;) {
       at.x /= 2;
       at.y /= 2;
       nodes_[keyOf(at)].within.insert(layer);

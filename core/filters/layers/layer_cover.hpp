@@ -16,21 +16,21 @@
 namespace footfall::detail {
 
 /// Layers to which pieces are added one after another. A question about a piece and a layer is decided exactly, by
-/// looking up the piece's triangles among the layer's. Most are answered without: a piece remembers some cells of a
-/// quadtree over the plan that lie inside it, and a layer with a cell of its own inside such a cell, or around it,
+/// looking up the piece's triangles among the layer's. Most are answered without: a piece remembers some squares of a
+/// quadtree over the plan that lie inside it, and a layer with a square of its own inside such a square, or around it,
 /// overlaps the piece. Layers are kept as runs of numbers, so that a tower of equal floors costs next to nothing.
 class LayerCover {
  public:
   LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context);
 
-  /// A cell of the quadtree: a square of its level.
-  struct Cell {
+  /// A square of the quadtree, of its level.
+  struct Square {
     int level = 0;
     std::uint32_t x = 0, y = 0;
   };
   struct Piece {
     std::span<const Index> triangles;
-    std::vector<Cell> inside;  ///< cells of which every point lies inside the piece
+    std::vector<Square> inside;  ///< squares of which every point lies inside the piece
   };
   /// The span must outlive the piece.
   [[nodiscard]] Piece pieceOf(std::span<const Index> triangles) const;
@@ -57,12 +57,12 @@ class LayerCover {
     std::map<std::uint32_t, std::uint32_t> runs_;
   };
   struct Node {
-    Runs around;  ///< layers that cover the whole cell
-    Runs within;  ///< layers that cover a cell inside it
+    Runs around;  ///< layers that cover the whole square
+    Runs within;  ///< layers that cover a square inside it
   };
-  [[nodiscard]] bool isInside(const Cell& cell, const PlanTriangle& triangle) const;
-  [[nodiscard]] static std::uint64_t keyOf(const Cell& cell);
-  /// The first layer from `layer` on of which the cells do not prove that it overlaps the piece.
+  [[nodiscard]] bool isInside(const Square& square, const PlanTriangle& triangle) const;
+  [[nodiscard]] static std::uint64_t keyOf(const Square& square);
+  /// The first layer from `layer` on of which the squares do not prove that it overlaps the piece.
   [[nodiscard]] std::uint32_t firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const;
   [[nodiscard]] std::vector<const Runs*> knownFor(const Piece& piece) const;
   [[nodiscard]] bool overlaps(const Piece& piece, const GrowingTriangles& layer);

@@ -16,10 +16,10 @@ namespace {
 
 /// A search ends after this many triangles on either side; a link may then stay although it is not needed.
 constexpr std::size_t kMostTriangles = 256;
-/// Cells are as wide as half of what is right there: what is within so much of that from a cell's middle is right there
-/// from all of the cell, whose corners are 0.354 from its middle.
+/// Squares are as wide as half of what is right there: what is within so much of that from a square's middle is right
+/// there from all of the square, whose corners are 0.354 from its middle.
 constexpr double kEverywhere = 0.64;
-constexpr double kMostCells = 0x1p30;
+constexpr double kMostSquares = 0x1p30;
 /// A square is grouped after this many searches in it, and again after twice as many each time.
 constexpr std::size_t kFirstSearches = 4;
 /// A group ends after this many triangles; further triangles are searched for one by one.
@@ -59,22 +59,22 @@ class Neighbourhood {
     const Vec3& place = *gap.piece.corner;
     const Index first = triangleOf(gap.first), second = triangleOf(gap.second);
     const double column = std::floor(place.x / side_), row = std::floor(place.y / side_);
-    if (!(std::max(std::fabs(column), std::fabs(row)) < kMostCells)) return search(first, second, place);
-    Cell& cell = cells_[{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)}];
-    const Index group = cell.groupOf(first);
-    if (group >= 0 && group == cell.groupOf(second)) return true;
+    if (!(std::max(std::fabs(column), std::fabs(row)) < kMostSquares)) return search(first, second, place);
+    Square& square = squares_[{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)}];
+    const Index group = square.groupOf(first);
+    if (group >= 0 && group == square.groupOf(second)) return true;
     if (!search(first, second, place)) return false;
-    if (++cell.searches == cell.next) {
-      cell.next *= 2;
-      addGroup(cell, first, {(column + 0.5) * side_, (row + 0.5) * side_, 0});
+    if (++square.searches == square.next) {
+      square.next *= 2;
+      addGroup(square, first, {(column + 0.5) * side_, (row + 0.5) * side_, 0});
     }
     return true;
   }
 
  private:
-  /// Triangles that hang together right at every place of a square cell of the plan, in groups. Ways only ever come in:
+  /// Triangles that hang together right at every place of a square of the plan, in groups. Ways only ever come in:
   /// what hangs together stays so.
-  struct Cell {
+  struct Square {
     std::size_t searches = 0, next = kFirstSearches;
     Index groups = 0;
     std::vector<std::array<Index, 2>> groupAt;  ///< triangles with their groups, ascending
@@ -85,7 +85,7 @@ class Neighbourhood {
   };
 
   /// Adds everything that is connected with a triangle near a square to a group of the square.
-  void addGroup(Cell& cell, Index triangle, const Vec3& middle) {
+  void addGroup(Square& square, Index triangle, const Vec3& middle) {
     ++search_;
     std::vector<Index>& reached = reached_[0];
     const auto isNew = [&](Index other) { return stamps_[other] != 2 * search_; };
@@ -99,12 +99,12 @@ class Neighbourhood {
     for (std::size_t i = 0; i < reached.size() && i < kMostGrouped; ++i)
       visitNeighbours(reached[i], middle, kEverywhere * reach_, isNew, reach);
     std::vector<std::array<Index, 2>> groups;
-    for (const Index other : reached) groups.push_back({other, cell.groups});
-    ++cell.groups;
-    for (const auto& known : cell.groupAt)
+    for (const Index other : reached) groups.push_back({other, square.groups});
+    ++square.groups;
+    for (const auto& known : square.groupAt)
       if (isNew(known[0])) groups.push_back(known);
     std::sort(groups.begin(), groups.end());
-    cell.groupAt = std::move(groups);
+    square.groupAt = std::move(groups);
   }
 
   /// Searches alternately from both sides. When one side has reached everything that is connected with it, the sides
@@ -180,7 +180,7 @@ class Neighbourhood {
 
   const BorderSplits& splits_;
   double reach_, side_;
-  std::map<std::array<std::int32_t, 2>, Cell> cells_;
+  std::map<std::array<std::int32_t, 2>, Square> squares_;
   std::vector<Index> borderAt_;        ///< by side
   std::vector<Index> beyond_;          ///< by side: the triangle behind a side that is no border, or -1
   std::vector<std::uint64_t> stamps_;  ///< by triangle: the last search that reached it, and from which end

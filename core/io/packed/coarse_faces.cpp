@@ -60,10 +60,10 @@ Cube cubeOf(std::span<const Vec3> places, std::span<const Corners> corners) {
 
 /// The triangles that remain when all vertices of a grid square are moved to its first vertex.
 std::vector<Corners> movedTogether(std::span<const Vec3> places, std::span<const Corners> corners, const Cube& cube,
-                                   double cells) {
+                                   double resolution) {
   constexpr double kReach = 1 << 20;
   const auto stepOf = [&](double x, double lower) {
-    const double step = std::floor((x / cube.side - lower / cube.side) * cells);
+    const double step = std::floor((x / cube.side - lower / cube.side) * resolution);
     return static_cast<std::uint64_t>(std::clamp(step, -kReach, kReach - 1) + kReach);
   };
   std::unordered_map<std::uint64_t, std::uint16_t> firsts;
@@ -92,13 +92,13 @@ std::vector<Corners> clustered(std::span<const Vec3> places, std::span<const Cor
   constexpr int kTries = 8;
   const Cube cube = cubeOf(places, corners);
   if (!(cube.side > 0) || !std::isfinite(cube.side)) return {corners.begin(), corners.end()};
-  double cells = std::sqrt(static_cast<double>(most));
-  std::vector<Corners> left = movedTogether(places, corners, cube, cells);
+  double resolution = std::sqrt(static_cast<double>(most));
+  std::vector<Corners> left = movedTogether(places, corners, cube, resolution);
   for (int tried = 1; tried < kTries; ++tried) {
     const double share = static_cast<double>(left.size()) / static_cast<double>(most);
     if (share <= 1 && (share > 0.7 || tried > 2)) break;
-    cells *= std::clamp(std::sqrt(0.85 / std::max(share, 1e-3)), 0.3, 3.0);
-    left = movedTogether(places, corners, cube, cells);
+    resolution *= std::clamp(std::sqrt(0.85 / std::max(share, 1e-3)), 0.3, 3.0);
+    left = movedTogether(places, corners, cube, resolution);
   }
   return left;
 }

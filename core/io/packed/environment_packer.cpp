@@ -33,10 +33,10 @@ std::string_view bytesOf(const Item& item) {
 }
 
 /// The step of a coordinate among 2^kHilbertBits3 over the extent. Halves are used, because extents may overflow.
-std::uint32_t cellOf(double x, double lower, double halfExtent) {
-  constexpr double kCells = 1U << kHilbertBits3;
-  const double place = halfExtent > 0 ? (x / 2 - lower / 2) / halfExtent * kCells : 0;
-  return static_cast<std::uint32_t>(std::clamp(std::isfinite(place) ? place : 0.0, 0.0, kCells - 1));
+std::uint32_t stepOf(double x, double lower, double halfExtent) {
+  constexpr double kSteps = 1U << kHilbertBits3;
+  const double place = halfExtent > 0 ? (x / 2 - lower / 2) / halfExtent * kSteps : 0;
+  return static_cast<std::uint32_t>(std::clamp(std::isfinite(place) ? place : 0.0, 0.0, kSteps - 1));
 }
 
 }  // namespace
@@ -242,9 +242,9 @@ EnvironmentPacker::Face EnvironmentPacker::placed(std::uint32_t number, const st
   for (std::size_t k = 0; k < 3; ++k) face.places[k] = vertex(face.corners[k]);
   const auto& [a, b, c] = face.places;
   const double half = std::max({upper_.x / 2 - lower_.x / 2, upper_.y / 2 - lower_.y / 2, upper_.z / 2 - lower_.z / 2});
-  result.key = hilbertIndex3({cellOf(a.x / 3 + b.x / 3 + c.x / 3, lower_.x, half),
-                              cellOf(a.y / 3 + b.y / 3 + c.y / 3, lower_.y, half),
-                              cellOf(a.z / 3 + b.z / 3 + c.z / 3, lower_.z, half)});
+  result.key = hilbertIndex3({stepOf(a.x / 3 + b.x / 3 + c.x / 3, lower_.x, half),
+                              stepOf(a.y / 3 + b.y / 3 + c.y / 3, lower_.y, half),
+                              stepOf(a.z / 3 + b.z / 3 + c.z / 3, lower_.z, half)});
   return result;
 }
 

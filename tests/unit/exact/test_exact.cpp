@@ -273,7 +273,7 @@ class TestExact : public QObject {
   }
 
   void triangulation() {
-    // Random segments between points of the family: the cells must tile the face, all the right way round, and no edge
+    // Random segments between points of the family: the facets must tile the face, all the right way round, and no edge
     // may be left that is better flipped.
     Random random(5);
     for (int i = 0; i < 150 * rounds(); ++i) {
@@ -295,11 +295,11 @@ class TestExact : public QObject {
         for (const auto& s : segments)
           triangulation.insertSegment(triangulation.vertexAt(s[0]), triangulation.vertexAt(s[1]), s[2], 1, 0, true);
         triangulation.dropConstraints();
-        triangulation.improve(std::vector<char>(triangulation.cells().size(), 1));
+        triangulation.improve(std::vector<char>(triangulation.facets().size(), 1));
         mpq_class sum = 0;
-        for (const auto& cell : triangulation.cells()) {
+        for (const auto& facet : triangulation.facets()) {
           Rational3 p[3];
-          for (int k = 0; k < 3; ++k) p[k] = kernel.exactPosition(geometry[cell.corners[k]], face);
+          for (int k = 0; k < 3; ++k) p[k] = kernel.exactPosition(geometry[facet.corners[k]], face);
           const mpq_class area = orientation(p[0], p[1], p[2]);
           QVERIFY(area > 0);
           sum += area;
@@ -341,16 +341,16 @@ class TestExact : public QObject {
   }
 
   static bool isDelaunay(const FaceGeometry& geometry, const FaceTriangulation& triangulation) {
-    const auto& cells = triangulation.cells();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
+    const auto& facets = triangulation.facets();
+    for (std::size_t i = 0; i < facets.size(); ++i) {
       for (int k = 0; k < 3; ++k) {
         if (triangulation.edges()[i].lines[k] >= 0) continue;
-        const TriangleCell& other = cells[cells[i].neighbors[k]];
+        const TriangleFacet& other = facets[facets[i].neighbors[k]];
         const Index beyond = other.corners[previous(neighborSlot(other, static_cast<Index>(i)))];
         const ApproximatePoint& zero = geometry.approximate(beyond);
         std::array<std::array<double, 2>, 3> corners;
         for (int j = 0; j < 3; ++j) {
-          const ApproximatePoint& p = geometry.approximate(cells[i].corners[j]);
+          const ApproximatePoint& p = geometry.approximate(facets[i].corners[j]);
           corners[j] = {p.x - zero.x, p.y - zero.y};
         }
         if (isWellInsideCircle(corners[0], corners[1], corners[2])) return false;

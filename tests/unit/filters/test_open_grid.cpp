@@ -76,8 +76,8 @@ class TestOpenGrid : public QObject {
       grid.cover(outline);
       int closed = 0, inside = 0;
       bool meets = false;
-      for (std::size_t row = 0; row < OpenGrid::kCells; ++row)
-        for (std::size_t column = 0; column < OpenGrid::kCells; ++column) {
+      for (std::size_t row = 0; row < OpenGrid::kSquares; ++row)
+        for (std::size_t column = 0; column < OpenGrid::kSquares; ++column) {
           const auto [dx, dy] = grid.middle(column, row);
           const double x = origin.x + scale * dx, y = origin.y + scale * dy;
           // The face is the half of its box under the diagonal.
@@ -91,7 +91,7 @@ class TestOpenGrid : public QObject {
           for (const double u : {-0.45, 0.45})
             for (const double v : {-0.45, 0.45}) QVERIFY(sideOf(above, x + u * unit, y + v * unit) > 0);
         }
-      // All inner cells are closed beside cells on the outline.
+      // All inner squares are closed beside squares on the outline.
       double around = 0;
       for (int k = 0; k < 3; ++k)
         around += std::fabs(above[k].x - above[(k + 1) % 3].x) + std::fabs(above[k].y - above[(k + 1) % 3].y);

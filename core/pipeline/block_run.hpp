@@ -38,13 +38,13 @@ struct CellsElsewhere {
 };
 
 /// One phase of a block. Reports are those of the block's cells and grow with each phase.
-class CellRun {
+class BlockRun {
  public:
   /// `walkable`: which triangles are floors before the first test; `floors` may list others. `clock` runs since the run
   /// began.
-  CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
-          const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
-          const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere = {});
+  BlockRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
+           const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
+           const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere = {});
 
   /// Runs all cells on the threads of the present arena.
   void run();
@@ -59,7 +59,7 @@ class CellRun {
  private:
   /// The state of the work behind the shared floors of a cell.
   enum class Rest : std::uint8_t { Unready, Ready, Wanted };
-  struct CellWork {
+  struct CellState {
     std::vector<Index> floors;  ///< floors that passed all tests
     std::size_t shared = 0;     ///< number of floors, at the front, of which other cells have a part
     std::size_t large = 0;      ///< number of floors, at the front, that are taken one by one
@@ -95,12 +95,12 @@ class CellRun {
 
   void work();
   void begin(Index cell, int thread);
-  void sortOut(CellWork& work) const;
+  void sortOut(CellState& work) const;
   void runRest(Index cell, int thread);
   void runItems(Index cell, int thread);
   bool takeAndRun(Index cell, int thread);
-  static bool takeFloors(CellWork& work, std::vector<Index>& floors);
-  static bool takeCutFloors(CellWork& work, std::vector<Index>& floors);
+  static bool takeFloors(CellState& work, std::vector<Index>& floors);
+  static bool takeCutFloors(CellState& work, std::vector<Index>& floors);
   std::size_t clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs);
   std::size_t meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own);
   void clipShare(Index cell, Index face, ClearancePass::Worker& own);
@@ -134,7 +134,7 @@ class CellRun {
 
   std::vector<std::size_t> order_;  ///< order of cells: own ones first; those of others only if they are merged here
   std::atomic<std::size_t> ownLeft_{0}, othersToTest_{0};
-  std::vector<CellWork> cells_;
+  std::vector<CellState> cells_;
   std::vector<Index> sharesOf_;  ///< number in shares_ of each face, or -1
   std::vector<Shares> shares_;
   std::vector<std::vector<CellSide>> sides_;  ///< sides of each cell

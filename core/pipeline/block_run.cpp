@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/pipeline/cell_run.hpp"
+#include "core/pipeline/block_run.hpp"
 
 #include <algorithm>
 #include <array>
@@ -46,9 +46,9 @@ std::vector<std::size_t> orderOf(const Partition& partition, const CellsElsewher
 
 }  // namespace
 
-CellRun::CellRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
-                 const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
-                 const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere)
+BlockRun::BlockRun(const Partition& partition, const CellFloors& floors, const SourceMesh& mesh,
+                   const std::vector<char>& walkable, CellFilters filters, std::vector<CellReport>& reports,
+                   const Stopwatch& clock, RunContext& context, CellsElsewhere elsewhere)
     : partition_(partition),
       floors_(floors),
       mesh_(mesh),
@@ -85,7 +85,7 @@ CellRun::CellRun(const Partition& partition, const CellFloors& floors, const Sou
   });
 }
 
-void CellRun::run() {
+void BlockRun::run() {
   if (elsewhere_.exchange != nullptr && ownLeft_ == 0) elsewhere_.exchange->ownFinished();
   // Few floors can be much work: giants under a level full of walls.
   double useful = static_cast<double>(floors_.floors.size());
@@ -104,7 +104,7 @@ void CellRun::run() {
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) reports_[cell].trianglesOut = cells_[cell].trianglesOut;
 }
 
-void CellRun::work() {
+void BlockRun::work() {
   const int thread = threadNumber();
   if (filters_.clearance != nullptr) workers_[thread] = &filters_.clearance->worker();
   try {
@@ -135,8 +135,8 @@ void CellRun::work() {
 }
 
 // The filters that look at single faces, one after the other; then the cell is open to all.
-void CellRun::begin(Index cell, int thread) {
-  CellWork& work = cells_[cell];
+void BlockRun::begin(Index cell, int thread) {
+  CellState& work = cells_[cell];
   {
     const std::lock_guard lock(work.mutex);
     if (const bool isFirstPhase = reports_[cell].endMs == 0; isFirstPhase && isMine(cell)) {
@@ -198,14 +198,14 @@ void CellRun::begin(Index cell, int thread) {
 }
 
 // Finishes a cell whose shares are done. If they are not, the thread that began it continues by itself.
-void CellRun::runRest(Index cell, int thread) {
+void BlockRun::runRest(Index cell, int thread) {
   if (!isMine(cell) || cells_[cell].rest.exchange(Rest::Wanted) != Rest::Ready) return;
   current_[thread] = cell;
   runItems(cell, thread);
 }
 
 // Shared floors and those that are a large share of the cell come first, each to be taken on its own.
-void CellRun::sortOut(CellWork& work) const {
+void BlockRun::sortOut(CellState& work) const {
   constexpr double kLargeShare = 1.0 / 64;
   const auto planArea = [&](Index face) {
     const Box box = boxOf(mesh_, face);
@@ -220,15 +220,15 @@ void CellRun::sortOut(CellWork& work) const {
   work.large = static_cast<std::size_t>(large - begin);
 }
 
-void CellRun::runItems(Index cell, int thread) {
+void BlockRun::runItems(Index cell, int thread) {
   while (takeAndRun(cell, thread)) {
   }
 }
 
 // First all floors of a cell are clipped, then all are triangulated: either keeps to its own part of the caches. False
 // when nothing is left to take.
-bool CellRun::takeAndRun(Index cell, int thread) {
-  CellWork& work = cells_[cell];
+bool BlockRun::takeAndRun(Index cell, int thread) {
+  CellState& work = cells_[cell];
   std::vector<Index> floors;
   const double startMs = clock_.wallMs();
   std::size_t finished = 0;
@@ -248,12 +248,12 @@ bool CellRun::takeAndRun(Index cell, int thread) {
   return true;
 }
 
-void CellRun::reportItems(std::size_t done) const {
+void BlockRun::reportItems(std::size_t done) const {
   const auto expected = static_cast<double>(std::max<std::size_t>(itemsExpected_, 1));
   context_.progress(kShareOfProgress * static_cast<double>(done) / expected);
 }
 
-bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {
+bool BlockRun::takeFloors(CellState& work, std::vector<Index>& floors) {
   const std::size_t count = work.floors.size();
   if (work.next.load(std::memory_order_relaxed) >= count) return false;
   // When others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
@@ -266,7 +266,7 @@ bool CellRun::takeFloors(CellWork& work, std::vector<Index>& floors) {
   return true;
 }
 
-bool CellRun::takeCutFloors(CellWork& work, std::vector<Index>& floors) {
+bool BlockRun::takeCutFloors(CellState& work, std::vector<Index>& floors) {
   const std::lock_guard lock(work.mutex);
   std::vector<Index>& from = work.largeCut.empty() ? work.smallCut : work.largeCut;
   const std::size_t take = std::min(from.size(), work.largeCut.empty() ? kFacesPerTake : 1);
@@ -276,7 +276,7 @@ bool CellRun::takeCutFloors(CellWork& work, std::vector<Index>& floors) {
 }
 
 // Returns how many of the floors are finished with that.
-std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs) {
+std::size_t BlockRun::clipFloors(Index cell, const std::vector<Index>& floors, int thread, double startMs) {
   ClearancePass::Worker& own = *workers_[thread];
   ClearancePass& pass = *filters_.clearance;
   std::vector<Index> large, small;
@@ -293,7 +293,7 @@ std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, in
     else
       triangles += pass.mesh(face, own);
   }
-  CellWork& work = cells_[cell];
+  CellState& work = cells_[cell];
   work.trianglesOut.fetch_add(triangles, std::memory_order_relaxed);
   // Recorded before other threads can take the rest and finish the cell.
   record(cell, filters_.tests.size(), thread, startMs);
@@ -307,7 +307,7 @@ std::size_t CellRun::clipFloors(Index cell, const std::vector<Index>& floors, in
   return floors.size() - small.size() - large.size();
 }
 
-std::size_t CellRun::meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own) {
+std::size_t BlockRun::meshFloors(Index cell, const std::vector<Index>& floors, ClearancePass::Worker& own) {
   std::uint64_t triangles = 0;
   for (const Index face : floors) {
     context_.checkCancelled();
@@ -317,7 +317,7 @@ std::size_t CellRun::meshFloors(Index cell, const std::vector<Index>& floors, Cl
   return floors.size();
 }
 
-void CellRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
+void BlockRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
   if (filters_.clearance->canShare(face)) {
     FaceShare share = filters_.clearance->clipShare(face, sides_[cell], own);
     if (elsewhere_.exchange != nullptr && elsewhere_.exchange->wantsOwn() && !share.empty()) {
@@ -332,7 +332,7 @@ void CellRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
   if (elsewhere_.exchange != nullptr ? isWholeOf(cell, face) : isFirst) addJoin(cell, face);
 }
 
-void CellRun::addShare(Index cell, Index face, FaceShare share) {
+void BlockRun::addShare(Index cell, Index face, FaceShare share) {
   Shares& all = shares_[sharesOf_[face]];
   if (!share.empty()) {
     const std::lock_guard lock(all.mutex);
@@ -341,14 +341,14 @@ void CellRun::addShare(Index cell, Index face, FaceShare share) {
   if (all.arrived.fetch_add(1) + 1 == all.cells) addJoin(cell, face);
 }
 
-void CellRun::addJoin(Index cell, Index face) {
+void BlockRun::addJoin(Index cell, Index face) {
   ++cells_[cell].left;
   const std::lock_guard lock(mutex_);
   joins_.push_back({face, cell});
   changed_.notify_one();
 }
 
-bool CellRun::takeJoin(Join& join) {
+bool BlockRun::takeJoin(Join& join) {
   const std::lock_guard lock(mutex_);
   if (joins_.empty()) return false;
   join = joins_.front();
@@ -357,7 +357,7 @@ bool CellRun::takeJoin(Join& join) {
 }
 
 // All shares of a face are there, or it was not to be cut.
-void CellRun::join(const Join& join, int thread) {
+void BlockRun::join(const Join& join, int thread) {
   context_.checkCancelled();
   const double startMs = clock_.wallMs();
   ClearancePass& pass = *filters_.clearance;
@@ -376,13 +376,13 @@ void CellRun::join(const Join& join, int thread) {
 
 // The cell with the most work left, among the cells that threads took last. The thread that clips a floor triangulates
 // it.
-Index CellRun::cellToHelp() {
+Index BlockRun::cellToHelp() {
   Index best = -1;
   std::size_t most = 0;
   for (const auto& current : current_) {
     const Index cell = current;
     if (cell < 0 || !cells_[cell].open) continue;
-    CellWork& work = cells_[cell];
+    CellState& work = cells_[cell];
     const std::size_t begun = std::min(work.next.load(std::memory_order_relaxed), work.floors.size());
     const std::lock_guard lock(work.mutex);
     const std::size_t left = work.floors.size() - begun + work.smallCut.size() + work.largeCut.size();
@@ -393,24 +393,24 @@ Index CellRun::cellToHelp() {
   return best;
 }
 
-void CellRun::done(Index cell, std::size_t items) {
+void BlockRun::done(Index cell, std::size_t items) {
   if (items > 0 && cells_[cell].left.fetch_sub(items) == items) finish(cell);
 }
 
-double CellRun::workMs(std::size_t filter) const {
+double BlockRun::workMs(std::size_t filter) const {
   double sum = 0;
   for (const ThreadRecord& record : records_) sum += record.workMs[filter];
   return sum;
 }
 
-double CellRun::workMs() const {
+double BlockRun::workMs() const {
   double sum = 0;
   for (std::size_t i = 0; i < filters_.names.size(); ++i) sum += workMs(i);
   return sum;
 }
 
 // Joins what one thread does on one cell without a break, and without anything else in between.
-void CellRun::record(Index cell, std::size_t filter, int thread, double startMs) {
+void BlockRun::record(Index cell, std::size_t filter, int thread, double startMs) {
   constexpr double kBreakMs = 0.02;
   const double endMs = clock_.wallMs();
   ThreadRecord& own = records_[thread];
@@ -427,7 +427,7 @@ void CellRun::record(Index cell, std::size_t filter, int thread, double startMs)
     spans.push_back({filters_.names[filter], thread, startMs, endMs});
 }
 
-void CellRun::finish(Index cell) {
+void BlockRun::finish(Index cell) {
   std::shared_ptr<const NavigationMesh> mesh;
   if (context_.wantsParts() && filters_.clearance != nullptr) {
     std::vector<Index> whole = cells_[cell].floors;
