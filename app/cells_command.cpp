@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/worker_arena.hpp"
 #include "core/partitioning/cut_export.hpp"

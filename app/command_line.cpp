@@ -4,8 +4,8 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "app/run_program.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"

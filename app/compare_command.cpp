@@ -6,8 +6,8 @@
 #include <optional>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/compare/comparison_report.hpp"

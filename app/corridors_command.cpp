@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
 #include "core/io/export.hpp"

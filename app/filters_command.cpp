@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"

@@ -2,8 +2,8 @@
 #include <memory>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "app/export_options.hpp"
 #include "core/io/environment_text.hpp"
 #include "core/io/export.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "app/export_options.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/worker_arena.hpp"

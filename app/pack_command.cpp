@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/worker_arena.hpp"
 #include "core/io/file_frame.hpp"

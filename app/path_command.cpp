@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
 #include "core/report/path_report.hpp"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "core/io/output_files.hpp"
 #include "core/report/floor_plan.hpp"
 #include "footfall/errors.hpp"

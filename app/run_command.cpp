@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_session.hpp"
-#include "app/commands.hpp"
 #include "app/export_options.hpp"
 #include "app/run_program.hpp"
 #include "app/tile_command.hpp"

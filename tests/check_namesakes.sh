@@ -1,10 +1,17 @@
 #!/usr/bin/env bash
-# check_namesakes.sh: fails, naming the places, when two files define a type of one name in one namespace: linked into
-# one program, such types are undefined by the one-definition rule, and no compiler says so. Types in unnamed
-# namespaces and in other types are free.
+# check_namesakes.sh: fails, naming them, when two headers have one name, or when two files define a type of one name in
+# one namespace. Linked into one program, such types are undefined by the one-definition rule, and no compiler says so.
+# Types in unnamed namespaces and in other types are free.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
+
+# Headers of one name are mixed up by people and by editors' searches.
+twice="$(find core ui app bindings -name '*.hpp' -printf '%f\n' | LC_ALL=C sort | uniq -d)"
+if [ -n "${twice}" ]; then
+  echo "headers with a namesake: ${twice//$'\n'/ }"
+  exit 1
+fi
 
 find core ui app bindings samples tests/support tests/reference tests/bench -name '*.[ch]pp' -print0 | sort -z | xargs -0 awk '
   FNR == 1 { depth = 0 }

@@ -8,8 +8,8 @@
 #include <new>
 #include <string>
 
+#include "app/command_list.hpp"
 #include "app/command_options.hpp"
-#include "app/commands.hpp"
 #include "app/mpi/mpi_program.hpp"
 #include "core/base/exhaustion.hpp"
 #include "footfall/errors.hpp"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 void FaceMesher::insertCuts(const FaceCuts& cuts) {

@@ -14,7 +14,7 @@
 #include <numeric>
 
 #include "core/assembly/mesh_joiner.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/numbered_table.hpp"
 #include "core/base/parallel.hpp"
 #include "core/mesh/lifted_vertex.hpp"

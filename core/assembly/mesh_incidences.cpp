@@ -15,7 +15,7 @@
 
 #include "core/assembly/mesh_joiner.hpp"
 #include "core/base/float4.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 
 namespace footfall::detail {

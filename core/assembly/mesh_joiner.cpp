@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/mesh/triangle_split.hpp"
 
 namespace footfall::detail {

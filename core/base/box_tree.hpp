@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/float4.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 

@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 

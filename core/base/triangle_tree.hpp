@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "core/base/float4.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/unfilled_array.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/digest.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {

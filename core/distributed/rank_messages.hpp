@@ -7,7 +7,7 @@
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/digest.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/distributed/cell_exchange.hpp"
 #include "core/distributed/share_file.hpp"
 #include "footfall/text.hpp"

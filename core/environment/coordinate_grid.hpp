@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/environment.hpp"

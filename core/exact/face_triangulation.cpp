@@ -5,7 +5,7 @@
 #include <climits>
 #include <stdexcept>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/shape.hpp"
 
 namespace footfall::detail {

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/shared_array.hpp"
 #include "core/exact/error_double.hpp"

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/error_double.hpp"
 
 namespace footfall::detail {

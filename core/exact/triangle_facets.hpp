@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 

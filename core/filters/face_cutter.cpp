@@ -9,7 +9,7 @@
 #include <type_traits>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/exact/insertion_order.hpp"
 

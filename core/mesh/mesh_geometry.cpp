@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/face_geometry.hpp"
 
 namespace footfall::detail {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/mesh/walkable_mesh.hpp"
 
 namespace footfall::detail {

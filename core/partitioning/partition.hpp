@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "footfall/statistics.hpp"
 #include "footfall/text.hpp"
 

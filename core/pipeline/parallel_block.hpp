@@ -7,7 +7,7 @@
 
 #include "core/base/process_usage.hpp"
 #include "core/distributed/cell_exchange.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "core/pipeline/runner.hpp"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/distributed/cell_exchange.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/partitioning/partition.hpp"
 #include "footfall/run.hpp"
 

@@ -8,7 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/filters/steps/chosen_steps.hpp"
 #include "core/filters/steps/step_memory.hpp"
 #include "core/mesh/mesh_geometry.hpp"

@@ -7,8 +7,8 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/exact/source_predicates.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/filters/clearance/chosen_clearance.hpp"
-#include "core/filters/filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/tiles/cell_links.hpp"

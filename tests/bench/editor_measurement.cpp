@@ -12,7 +12,7 @@
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"
 #include "ui/base/frame_watchdog.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/level/obstacle_features.hpp"
 
 namespace footfall::bench {

@@ -12,7 +12,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
 #include "tests/support/intermediate.hpp"

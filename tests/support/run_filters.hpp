@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 
 namespace footfall::test {
 using namespace detail;

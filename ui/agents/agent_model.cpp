@@ -6,7 +6,7 @@
 
 #include "ui/agents/agent_edits.hpp"
 #include "ui/base/core_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

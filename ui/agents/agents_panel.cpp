@@ -15,8 +15,8 @@
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/icon.hpp"
 #include "ui/base/keys_back.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/number_field.hpp"
-#include "ui/base/number_text.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

@@ -7,7 +7,7 @@
 
 #include "footfall/errors.hpp"
 #include "ui/base/filter_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "footfall/up_axis.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ui/base/palette.hpp"
+#include "ui/base/core_colours.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/view/cell_colours.hpp"
 

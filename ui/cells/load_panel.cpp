@@ -12,8 +12,8 @@
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/keys_back.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {

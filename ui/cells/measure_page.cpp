@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "ui/base/keys_back.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/timeline.hpp"
 #include "ui/view/cell_colours.hpp"

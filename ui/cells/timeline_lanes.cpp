@@ -5,8 +5,8 @@
 #include <tuple>
 
 #include "footfall/filter.hpp"
+#include "ui/base/core_colours.hpp"
 #include "ui/base/filter_text.hpp"
-#include "ui/base/palette.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/view/appearance.hpp"

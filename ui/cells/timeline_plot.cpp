@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/base/filter_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/timeline_lanes.hpp"

@@ -15,7 +15,7 @@
 #include "footfall/pipeline.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/document/agent.hpp"
+#include "ui/document/named_agent.hpp"
 
 namespace footfall::ui {
 

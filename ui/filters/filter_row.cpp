@@ -13,8 +13,8 @@
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/fitted_labels.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/view/cell_colours.hpp"
 

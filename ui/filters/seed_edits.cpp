@@ -7,7 +7,7 @@
 
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/translated.hpp"
 
 namespace footfall::ui {

@@ -12,7 +12,7 @@
 
 #include "ui/base/keys_back.hpp"
 #include "ui/base/list_table.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "ui/base/keys_back.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 

@@ -5,8 +5,8 @@
 
 #include "core/report/inspection_report.hpp"
 #include "footfall/filter.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {

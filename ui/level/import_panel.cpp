@@ -10,12 +10,12 @@
 
 #include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
-#include "ui/base/counted_text.hpp"
+#include "ui/base/counted_noun.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/keys_back.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 #include "ui/base/positive_number.hpp"
 #include "ui/level/scale_question.hpp"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"
 #include "ui/view/obstacle_geometry.hpp"

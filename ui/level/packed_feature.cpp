@@ -11,7 +11,7 @@
 
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/box_edges.hpp"
 

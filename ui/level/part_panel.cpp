@@ -15,8 +15,8 @@
 #include "ui/base/core_text.hpp"
 #include "ui/base/fitted_labels.hpp"
 #include "ui/base/flow_layout.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ui/base/palette.hpp"
+#include "ui/base/core_colours.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "ui/path/path_model.hpp"
 #include "ui/path/separation_mend.hpp"
-#include "ui/path/separation_text.hpp"
+#include "ui/path/separation_view_text.hpp"
 #include "ui/view/level_view.hpp"
 
 namespace footfall::ui {

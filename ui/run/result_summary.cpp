@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

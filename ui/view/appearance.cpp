@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "footfall/filter_type.hpp"
-#include "ui/base/palette.hpp"
+#include "ui/base/core_colours.hpp"
 #include "ui/base/theme.hpp"
 
 namespace footfall::ui {

@@ -6,8 +6,8 @@
 #include <map>
 #include <utility>
 
-#include "ui/base/number_text.hpp"
-#include "ui/base/palette.hpp"
+#include "ui/base/core_colours.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/translated.hpp"
 
 namespace footfall::ui {

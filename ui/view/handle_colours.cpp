@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "ui/base/palette.hpp"
+#include "ui/base/core_colours.hpp"
 
 namespace footfall::ui {
 

@@ -14,7 +14,7 @@
 #include <algorithm>
 
 #include "ui/base/core_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "ui/base/namespaces.hpp"

@@ -6,8 +6,8 @@
 #include "core/io/export.hpp"
 #include "footfall/filter.hpp"
 #include "ui/base/filter_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/number_text.hpp"
 #include "ui/window/file_dialogs.hpp"
 
 namespace footfall::ui {

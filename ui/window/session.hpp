@@ -13,7 +13,7 @@
 #include "footfall/pipeline.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/cells/cells_shown.hpp"
-#include "ui/document/agent.hpp"
+#include "ui/document/named_agent.hpp"
 #include "ui/view/camera_pose.hpp"
 
 namespace footfall::ui {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
 
 namespace footfall::detail {

@@ -11,7 +11,7 @@
 #include <tuple>
 #include <type_traits>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
 #include "core/exact/insertion_order.hpp"
 #include "core/filters/clearance/crowding.hpp"

@@ -14,10 +14,10 @@
 
 #include "core/base/background_release.hpp"
 #include "core/base/parallel.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/filters/clearance/clearance_clipper.hpp"
 #include "core/filters/clearance/known_cuts.hpp"
 #include "core/filters/face_filter.hpp"
-#include "core/filters/filter.hpp"
 
 namespace footfall::detail {
 

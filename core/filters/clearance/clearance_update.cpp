@@ -9,7 +9,7 @@
 #include <limits>
 #include <tuple>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/exact/insertion_order.hpp"
 #include "core/filters/clearance/clearance_clipper.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/filters/clearance/clearance_clipper.hpp"
 
 namespace footfall::detail {

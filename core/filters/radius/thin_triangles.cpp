@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/source_predicates.hpp"
 
 namespace footfall::detail {

@@ -10,7 +10,7 @@
 
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/walkable_state.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "footfall/navigation_mesh.hpp"
 

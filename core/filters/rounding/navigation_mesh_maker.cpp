@@ -10,11 +10,11 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/assembly/obstacle_split.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/parallel_sort.hpp"
 #include "core/base/poll.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/filters/rounding/known_places.hpp"
 #include "core/filters/rounding/placed_mesh.hpp"
 #include "core/filters/rounding/rounded_drops.hpp"

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 

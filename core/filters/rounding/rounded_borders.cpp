@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/exact/source_predicates.hpp"

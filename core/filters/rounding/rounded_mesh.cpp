@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/rounding/repaired_mesh.hpp"

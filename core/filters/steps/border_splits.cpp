@@ -6,7 +6,7 @@
 #include <numeric>
 #include <span>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 #include "core/mesh/triangle_split.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 
 namespace footfall::detail {
 

@@ -8,7 +8,7 @@
 #include <map>
 #include <utility>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/plan_places.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/exact/face_geometry.hpp"
 #include "core/exact/sign_of_difference.hpp"
 #include "core/mesh/lifted_vertex.hpp"

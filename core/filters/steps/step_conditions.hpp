@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {

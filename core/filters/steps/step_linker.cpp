@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <unordered_set>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/mesh/triangle_corners.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "core/base/number_text.hpp"
 #include "footfall/errors.hpp"
 

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 #include "footfall/environment.hpp"
 
 namespace footfall::detail {

@@ -27,7 +27,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 

@@ -10,7 +10,7 @@
 #include "core/base/parallel.hpp"
 #include "core/base/process_usage.hpp"
 #include "core/base/worker_arena.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/partitioning/strategies.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"

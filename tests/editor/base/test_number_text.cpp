@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <limits>
 
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

@@ -11,7 +11,7 @@
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/base/background_queue.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/time_estimate.hpp"
 #include "ui/filters/filter_edits.hpp"
 

@@ -5,7 +5,7 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "ui/base/level_units.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/scale_question.hpp"
 

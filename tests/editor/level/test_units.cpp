@@ -6,7 +6,7 @@
 
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
 #include "ui/level/obstacle_features.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/exact/source_predicates.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "footfall/filter.hpp"
 #include "tests/support/run_filters.hpp"

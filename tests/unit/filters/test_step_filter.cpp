@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/assembly/walkable_state.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"

@@ -5,7 +5,7 @@
 #include <QString>
 #include <cstdint>
 
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 

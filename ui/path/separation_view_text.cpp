@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/path/separation_text.hpp"
+#include "ui/path/separation_view_text.hpp"
 
 #include <QCoreApplication>
 #include <algorithm>
 #include <utility>
 
 #include "core/navigation/separation_text.hpp"
+#include "ui/base/core_colours.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/palette.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 #include <QStringList>
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 
 #include <algorithm>
 #include <array>
