@@ -27,7 +27,7 @@ struct RegionChoice {
   const Adjacency& topology;         ///< adjacency of the mesh
   const std::vector<Index>& region;  ///< region of each triangle (findRegions())
   const std::vector<char>& keep;     ///< one flag per region
-  bool isLast = false;               ///< nobody needs the state any more (Recall::isLast)
+  bool isLast = false;               ///< the state is not needed after the filter (Recall::isLast)
 };
 
 /// The state without the other regions. Links and drops stay where both of their sides do. `sameOf` is called with the

@@ -11,7 +11,7 @@
 namespace footfall::detail {
 namespace {
 
-// So many boxes are worth a tree.
+// A tree pays off from this number of boxes on.
 constexpr std::size_t kManyBoxes = 32;
 
 // True when a point depends on a height above a floor.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kFacesPerTask = 32;
 // Few faces are spread over so many tasks at least: they may be giants.
 constexpr std::size_t kLeastTasks = 16;
-// So many segments make a face that is worth beginning early.
+// Faces with at least this many segments begin early.
 constexpr std::size_t kSegmentsOfGiants = 128;
 constexpr std::size_t kMeshesFreedPerTask = 2048;
 constexpr std::size_t kCopiesPerTask = 512;

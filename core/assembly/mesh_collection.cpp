@@ -41,7 +41,7 @@ void forBlocks(std::size_t count, std::size_t size, RunContext& context, const W
 
 }  // namespace
 
-/// A point that all faces at a source edge know by one name; for most points that name says which edge it is.
+/// A point that has the same name in all faces at a source edge; for most points the name identifies the edge.
 struct MeshJoiner::SharedPoint {
   PlanPoint point;
   Index from = -1, to = -1;  ///< source vertices of the edge of a crossing

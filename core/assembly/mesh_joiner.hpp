@@ -77,7 +77,7 @@ class MeshJoiner {
   struct Additions;
   void layOut(Additions& additions, RunContext& context);
   Index listUses(std::size_t entry, Additions& additions);
-  /// A point that all faces at a source edge know by one name, and where one of them uses it.
+  /// A point that has the same name in all faces at a source edge, and a face that uses it.
   struct SharedPoint;
   struct SharedUse;
   struct SharedUses;

@@ -19,7 +19,7 @@ struct Recall {
   /// an edit of; or null.
   StatePtr before;
   bool keep = false;  ///< true: keep the data that later runs can copy
-  /// Nobody needs the given state after the filter: it may take the state's mesh and change it.
+  /// The given state is not needed after the filter, which may take the state's mesh and change it.
   bool isLast = false;
   /// Work that can be done on the mesh while a filter adds layers to it and changes nothing else. Called once, with a
   /// state that has the mesh, and its edges. May be null.

@@ -55,7 +55,8 @@ struct WalkableState {
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };
 
-/// The mesh of a state that nobody needs any more, to be changed: itself where no other state has it, else a copy.
+/// The mesh of a state that is no longer needed, for changing: the mesh itself where no other state has it, else a
+/// copy.
 std::shared_ptr<WalkableMesh> ownMeshOf(const WalkableState& state);
 
 /// The topology of the state's mesh: what an earlier filter found for the same mesh, else found now.

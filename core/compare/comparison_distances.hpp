@@ -21,7 +21,7 @@ std::array<SurfaceDistances, 2> measureDistances(const ComparedSurfaces& surface
                                                  const std::array<std::vector<double>, 2>& known, double error,
                                                  RunContext& context);
 
-/// For each position that A uses its distance to B, as measureDistances() samples it; 0 for others. Both surfaces must
+/// The distance to B of each position that A uses, as measureDistances() samples it; 0 for others. Both surfaces must
 /// have triangles.
 std::vector<double> distancesOfPositions(const ComparedSurfaces& surfaces, RunContext& context);
 

@@ -70,7 +70,7 @@ class CoveredPart {
     std::unordered_map<std::uint32_t, std::uint32_t> numbers;  ///< number of each position among the points
   };
 
-  /// In the meshes' units, with numbers of positions.
+  /// Lengths are in the meshes' units; corners are numbers of positions.
   [[nodiscard]] std::vector<CoverTriangle> partsOf(const Outlines& outlines, std::vector<CoverPiece> borders) const {
     std::erase_if(borders, [](const CoverPiece& piece) { return piece.part != kOnlyFirst; });
     std::vector<std::uint32_t> positions(outlines.points.size(), CoverCorner::kNoPoint);
@@ -200,7 +200,8 @@ class CoveredPart {
   std::vector<std::array<mpz_class, 3>> normals_;
 };
 
-/// The parts of all triangles that `difference` does not know to be covered; their triangles only with `areDrawn`.
+/// The parts of all triangles that are not known to be covered by `difference`; with their triangles only if
+/// `areDrawn`.
 std::array<std::vector<UncoveredPart>, 2> measureParts(const ComparedSurfaces& surfaces,
                                                        const SetDifference& difference, double height, bool areDrawn,
                                                        RunContext& context) {

@@ -23,7 +23,7 @@ struct Corner {
 };
 using Outline = std::vector<Corner>;
 
-/// What of a convex outline has levels on one side of `level`: above it for sign 1, below it for sign -1.
+/// The part of a convex outline on one side of `level`: above it for sign 1, below it for sign -1.
 Outline clip(const Outline& outline, double level, int sign) {
   Outline kept;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -53,7 +53,7 @@ class BandMaker {
     const auto& triangles = surfaces_.surfaces[0].triangles;
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    // Where there is no room for all, those with the largest distances stay.
+    // The triangles with the largest distances stay where there is no room for all.
     if (triangles.size() > mostTriangles)
       std::stable_sort(order.begin(), order.end(),
                        [&](std::size_t a, std::size_t b) { return highest(triangles[a]) > highest(triangles[b]); });
@@ -131,7 +131,7 @@ DistanceBands findDistanceBands(const NavigationMesh& from, const NavigationMesh
 }
 
 Rgb colourOfBand(std::size_t band) {
-  // From red (0) over green to blue (1) at full saturation: one part falls while the next rises.
+  // The colours go from red (0) over green to blue (1) at full saturation: one component falls while the next rises.
   const double place = static_cast<double>(band) / static_cast<double>(DistanceBands::kCount - 1) * 4;
   const auto part = [](double share) { return static_cast<int>(std::lround(255 * std::clamp(share, 0.0, 1.0))); };
   return {part(2 - place), place <= 2 ? part(place) : part(4 - place), part(place - 2)};

@@ -13,7 +13,8 @@
 
 namespace footfall::detail {
 
-/// As MeshLab does it: distances are taken at the vertices of the first mesh, and are linear over each triangle.
+/// Distances in the way of MeshLab: they are taken at the vertices of the first mesh, and are linear over each
+/// triangle.
 struct DistanceBands {
   static constexpr std::size_t kCount = 24;
   using Corners = std::array<Vec3, 3>;

@@ -285,7 +285,7 @@ class ShareReader {
     mesh->approximate.resize(points);
     for (std::size_t i = 0; i < points; ++i) {
       mesh->points[i] = point();
-      // These bounds can be infinite in tiny and in huge environments; then they decide nothing.
+      // These bounds can be infinite in tiny and in huge environments; they are of no use then.
       ApproximatePoint& place = mesh->approximate[i];
       place.x = in_.real();
       place.y = in_.real();

@@ -28,7 +28,7 @@ constexpr double kPausesOfLook = 10;
 constexpr double kLookOfWaiting = 0.01;  // a queue may take hours
 constexpr double kRemoveMs = 2000;       // processes that are ending may still write
 
-/// Ends processes that nobody waits for any more.
+/// Thrown to end processes whose results have all arrived.
 struct AllArrived : std::exception {};
 
 // A network folder may report a file as missing until the folder is listed.

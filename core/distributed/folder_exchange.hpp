@@ -28,11 +28,11 @@ class FolderExchange : public CellExchange {
     /// end.
     std::string folder;
     int threads = 1;  ///< threads of this process
-    /// Starts the processes, waits for their end, and returns what went wrong; empty: nothing. Called by a thread of
-    /// its own. It must call `poll` regularly; `poll` throws when the run is over, which ends the processes: Cancelled
-    /// where their results are not wanted, another std::exception where all have arrived.
+    /// Starts the processes, waits for their end, and returns an error; empty: none. Called on a thread of its own. It
+    /// must call `poll` regularly; `poll` throws when the run is over, which ends the processes: Cancelled where their
+    /// results are not wanted, another std::exception where all have arrived.
     std::function<Text(const std::string& folder, Poll poll)> work;
-    /// Called by begin() when it is known how many threads each process has (threadsOfRanks()).
+    /// Called by begin() with the number of threads of each process (threadsOfRanks()).
     std::function<void(const std::vector<int>&)> ranksKnown = [](const std::vector<int>&) {};
     /// The longest time that shares may be under way after their process has ended: network folders are slow.
     double patienceMs = 10000;

@@ -48,7 +48,7 @@ class GroupMail {
   std::deque<Ask> asks_;
   std::deque<std::optional<std::size_t>> dealt_;  ///< tasks dealt to this rank
   std::uint64_t round_ = 0;
-  /// On rank 0: one stretch of the round's unassigned tasks per rank.
+  /// One stretch of the round's unassigned tasks for each rank; on rank 0 only.
   std::vector<std::pair<std::size_t, std::size_t>> stretches_;
 };
 

@@ -112,7 +112,7 @@ void sayBegun(const std::string& folder) noexcept {
   try {
     std::ofstream(begunFile(folder)).flush();
   } catch (const std::exception&) {
-    // It is a message less.
+    // Only the message is lost.
   }
 }
 

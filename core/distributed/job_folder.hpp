@@ -37,7 +37,8 @@ double systemMs();
 
 /// Says who runs the job, in the order of their ranks. Throws RunError.
 void writeRanks(const std::string& folder, const std::vector<JobRank>& ranks);
-/// None while it is not said. Throws InputError where it is said by another version of the program, or damaged.
+/// Empty while the ranks are not written. Throws InputError where another version of the program wrote them, or where
+/// they are damaged.
 std::optional<std::vector<JobRank>> readRanks(const std::string& folder);
 
 }  // namespace footfall::detail

@@ -240,7 +240,7 @@ void RankExchange::sendPlan(const Plan& plan) {
   postToOthers(out.bytes);
 }
 
-// Rank 0 says which cells are there already; all ranks find the same from that.
+// Rank 0 sends the numbers of the cells that it has already; all ranks make the same plan from them.
 RankExchange::Plan RankExchange::makePlan(std::unique_lock<std::mutex>& lock, const CellPhase& phase,
                                           RunContext& context) {
   wait(lock, context, [this] {
@@ -281,7 +281,7 @@ RankExchange::Plan RankExchange::awaitPlan(std::unique_lock<std::mutex>& lock, c
   wait(lock, context, [this] { return !plans_.empty(); });
   Plan plan = std::move(plans_.front());
   plans_.pop_front();
-  // A rank with more passes than rank 0 would wait for shares that nobody sends.
+  // A rank with more passes than rank 0 would wait for shares that are never sent.
   if (plan.phase != phase.number || plan.phases != phase.count || plan.key != phase.key)
     throw RunError(differsFromFirst());
   return plan;
@@ -338,7 +338,7 @@ void RankExchange::give(Index cell, std::string bytes) {
     try {
       folder_->store(name, sealed);
     } catch (const RunError& error) {
-      if (options_.leavesShares) throw;  // nobody else has it
+      if (options_.leavesShares) throw;  // no other rank has it
       std::unique_lock lock(mutex_);
       const bool isFirst = !std::exchange(folderFails_, true);
       lock.unlock();
@@ -461,7 +461,7 @@ void RankExchange::fail(const std::string& problem, RankFailure kind) noexcept {
         post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(kind)} + problem);
     }
   } catch (const std::exception&) {
-    // When there is no memory for a message, the others find out because this rank falls silent.
+    // Without memory for a message, the other ranks notice that this rank falls silent.
   }
   close();
 }
@@ -471,7 +471,7 @@ void RankExchange::close() noexcept {
     const std::lock_guard lock(mutex_);
     if (!std::exchange(isClosing_, true)) postToOthers(std::string(1, static_cast<char>(Kind::Bye)));
   } catch (const std::exception&) {
-    // As above: no memory for a message.
+    // There is no memory for a message, as above.
   }
   if (pump_.joinable()) pump_.join();
 }

@@ -54,14 +54,14 @@ class RankExchange : public CellExchange, public RankGroup {
     bool leavesShares = false;
     /// The longest time that an ending rank waits for the good-bye of the others, before isCutOff().
     double patienceMs = 10000;
-    /// Told what the user should know; called by any thread.
+    /// Receives notes for the user; called by any thread.
     std::function<void(const Text&)> note = [](const Text&) {};
     /// Called by the exchange's thread when another rank ended the run.
     std::function<void()> stop = [] {};
   };
   /// Throws RunError when the work folder cannot be had.
   RankExchange(Transport& transport, Options options);
-  /// Ends the run as a failure where nobody ended it.
+  /// Ends the run as a failure unless it has ended.
   ~RankExchange() override;
   RankExchange(const RankExchange&) = delete;
   RankExchange& operator=(const RankExchange&) = delete;
@@ -88,8 +88,8 @@ class RankExchange : public CellExchange, public RankGroup {
   /// The statistics of all ranks, by rank. Rank 0 waits for them; other ranks return their own only and send them to
   /// rank 0.
   std::vector<RankStatistics> collect(RunContext& context);
-  /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits until rank 0 says so. Throws
-  /// RunError or Cancelled.
+  /// Rank 0: the run ended well, and its shares are not needed any more. Others: waits for the end message of rank 0.
+  /// Throws RunError or Cancelled.
   void end(RunContext& context);
   /// Ends the run for all ranks: with `problem`, which rank 0 reports, or because it was cancelled.
   void fail(const std::string& problem, RankFailure kind = RankFailure::Run) noexcept;

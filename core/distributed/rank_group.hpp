@@ -16,9 +16,8 @@ namespace footfall::detail {
 /// Why a rank ended a run: what it was given is wrong, it was cancelled, or anything else.
 enum class RankFailure : char { Run, Input, Cancelled };
 
-/// Ranks from 0 on. All of them call the same functions in the same order, each on one thread; but how often
-/// nextTask() is called between two others is for each rank to know. Functions that wait throw Cancelled, and what
-/// another rank failed by.
+/// Ranks from 0 on. All of them call the same functions in the same order, each on one thread; only the number of calls
+/// of nextTask() differs between ranks. Functions that wait throw Cancelled, and the error of another rank.
 class RankGroup {
  public:
   RankGroup() = default;
@@ -36,7 +35,7 @@ class RankGroup {
   virtual std::vector<std::string> gather(std::string own, RunContext& context) = 0;
   /// Returns what rank 0 gave.
   virtual std::string fromFirst(std::string own, RunContext& context) = 0;
-  /// There are tasks 0, 1, ... below `count`, the same for all ranks.
+  /// Begins tasks 0, 1, ... below `count`, which is the same for all ranks.
   virtual void beginTasks(std::size_t count) = 0;
   /// A task that no rank has, mostly the one behind that of before; empty when there is none. Until then the rank calls
   /// no other function of these.

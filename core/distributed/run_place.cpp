@@ -220,7 +220,7 @@ Text runJob(const std::string& job, const RunPlace& place, const RunPrograms& pr
       if (const auto output = contentOf(outputOf(job)); output && !problemIn(*output).empty())
         told = problemIn(*output);
     } catch (const BadBytes&) {
-      // The words of sbatch are all that is known.
+      // The output of sbatch is the only information.
     }
   }
   if (told.empty()) return Text(FOOTFALL_TEXT("%1 ended with exit code %2"), command[0], result.status);

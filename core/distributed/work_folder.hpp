@@ -22,7 +22,7 @@ class WorkFolder {
  public:
   enum class Making : std::uint8_t {
     Folder,  ///< but not those above it
-    Nothing  ///< the folder is somebody else's, who may have removed it
+    Nothing  ///< the folder is another process's, which may have removed it
   };
   /// Throws RunError where the folder cannot be made.
   explicit WorkFolder(std::string path, Making making = Making::Folder);

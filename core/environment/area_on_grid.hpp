@@ -1,4 +1,4 @@
-// What AreaFilter compares areas with on a grid of coordinates (docs/coordinates.md).
+// The areas that AreaFilter compares with on a grid of coordinates (docs/explanation/coordinates.md).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

@@ -1,4 +1,5 @@
-// The grid on which an environment's coordinates lie (design section 13): its step, rounding to it, and welding.
+// The grid on which an environment's coordinates lie (docs/explanation/coordinates.md): its step, rounding to it, and
+// welding.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -27,14 +28,14 @@ namespace footfall::detail {
 /// An obstacle whose vertices are rounded to the environment's grid; as it is where there is no grid.
 [[nodiscard]] TriangleSoup onGridOf(const Environment& environment, TriangleSoup soup);
 
-/// What VerticalClearanceFilter compares heights with: one step of the grid less than the clearance, which is rounded
-/// to the grid, so that rounding removes no place that is exactly high enough; but never less than a step, or than the
-/// clearance where that is less. Without a grid it is the clearance itself.
+/// The height that VerticalClearanceFilter compares with. It is one step of the grid less than the clearance, which is
+/// rounded to the grid, so that rounding removes no place that is exactly high enough; but never less than a step, or
+/// than the clearance where that is less. Without a grid it is the clearance itself.
 [[nodiscard]] double clearanceOnGrid(const CoordinateGrid& grid, double clearance);
-/// What StepFilter compares heights with: one step of the grid more than the height of a step.
+/// The height that StepFilter compares with: one step of the grid more than the height of a step.
 [[nodiscard]] double climbOnGrid(const CoordinateGrid& grid, double step);
 
-/// What the choice of a step depends on.
+/// The values that the choice of a step depends on.
 struct GridExtent {
   Box triangles;       ///< the box of all corners of triangles
   double largest = 0;  ///< the largest coordinate of any vertex, in size
@@ -55,12 +56,12 @@ struct GridExtent {
 /// The usual step: the power of two nearest above 2^-24 of the largest side of the box, at most 0.25 mm, and never
 /// finer than doubles of the largest coordinate. 0 where no double is such a step.
 [[nodiscard]] double usualGridStep(const GridExtent& extent, double metresPerUnit);
-/// The step for what the user says, 0 for none. `areFloats`: the numbers of the file are floats, or were placed by
+/// The step that the options choose, 0 for none. `areFloats`: the numbers of the file are floats, or were placed by
 /// matrices.
 [[nodiscard]] double chosenGridStep(const ImportOptions& options, bool areFloats, const GridExtent& extent,
                                     double metresPerUnit);
 
-/// Whether a usual step may change when another scale is given: the bound of 0.25 mm holds, or would.
+/// Returns whether a usual step may change with another scale: the bound of 0.25 mm holds, or would.
 [[nodiscard]] bool gridDependsOnScale(const Environment& environment, double metresPerUnit);
 
 /// A place on the grid, counted in steps.
@@ -97,7 +98,7 @@ class GridWelder {
   std::vector<std::pair<GridPlace, GridPlace>> pairs_;
 };
 
-/// Where vertices go, and what that changes.
+/// The new places of vertices, and the changes that they cause.
 class GridRounding {
  public:
   GridRounding(double step, WeldedPlaces welded);
@@ -105,7 +106,7 @@ class GridRounding {
   [[nodiscard]] Vec3 placed(const Vec3& p) const;
   void countVertex(const Vec3& from, const Vec3& to);
   void countTriangle(const std::array<Vec3, 3>& from, const std::array<Vec3, 3>& to);
-  /// What was counted.
+  /// The grid with the counts.
   [[nodiscard]] CoordinateGrid grid() const;
 
  private:

@@ -26,8 +26,8 @@ struct NearVertex {
   Index place = 0;
 };
 
-/// Whether p is nearer than one step to the segment from a to b, between its ends, in whole steps. Coordinates are
-/// below 2^53, so differences are below 2^54 and products below 2^109.
+/// Returns whether p is nearer than one step to the segment from a to b, between its ends, in whole steps. Coordinates
+/// are below 2^53, so differences are below 2^54 and products below 2^109.
 bool isBeside(const GridPlace& a, const GridPlace& b, const GridPlace& p, Int128& along) {
   std::array<Int128, 3> u{}, w{};
   Int128 length = 0;
@@ -139,7 +139,7 @@ class NearPlaces {
 };
 
 using Corners = std::array<Index, 3>;
-/// For each edge of a triangle, from its first corner on, the places that split it.
+/// The places that split each edge of a triangle, from its first corner on.
 using Between = std::array<std::span<const Index>, 3>;
 
 /// Cuts a triangle at the place in the middle of an edge's places, and so on. Pieces whose corners lie on one edge are

@@ -39,7 +39,7 @@ class Footprint {
     const auto exponent = [](double extent) {
       return std::ilogb(std::max(extent, std::numeric_limits<double>::min()));
     };
-    // Not finer than the larger one's own digits.
+    // The quantum is not finer than the last digit of the larger side.
     quantum_ =
         std::ldexp(1.0, std::max(exponent(std::min(halfX, halfY)) - kDigits, exponent(std::max(halfX, halfY)) - 52));
     const bool parallel = c == 0 || s == 0;
@@ -151,7 +151,7 @@ TriangleSoup solidSoupOf(const PlacedObstacle& obstacle, double spacing) {
     const double z = obstacle.base.z + i * step;
     std::vector<PlanVector> corners = outline(obstacle);
     if (ramp) {
-      // It begins where the slope is a step higher: nothing inside may come out of it when it is rounded.
+      // The cylinder begins where the slope is a step higher, so that rounding moves no inner place outside.
       if (i == count) break;
       const Footprint footprint(obstacle);
       const double x = 2 * (i + 1) / (count + 1) - 1;

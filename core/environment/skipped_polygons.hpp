@@ -1,4 +1,4 @@
-// The polygons of a file that import left out: the list of them, and what it says to people.
+// The polygons of a file that import left out: the list of them, and its texts for people.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

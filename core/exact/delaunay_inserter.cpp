@@ -54,8 +54,8 @@ Index DelaunayInserter::insert(Index point) {
   return point;
 }
 
-// Edges are tried in a random order, lest walks go round in circles. Two of the next facet's corners are known from the
-// step before, and the point lies on the inner side of the edge between them.
+// Edges are tried in a random order, so that walks do not go round in circles. Two of the next facet's corners are
+// known from the step before, and the point lies on the inner side of the edge between them.
 DelaunayInserter::Location DelaunayInserter::locate() {
   struct Offset {
     double x, y;

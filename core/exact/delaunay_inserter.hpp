@@ -27,7 +27,7 @@ class DelaunayInserter {
   void start();
   /// Inserts a point that lies in the closed face; returns the vertex at its position (another one when there was one).
   Index insert(Index point);
-  /// True when all edges of the facets are Delaunay as far as rounded coordinates tell.
+  /// Returns whether all edges of the facets are Delaunay, as far as rounded coordinates decide it.
   [[nodiscard]] bool isDelaunay() const { return isDelaunay_; }
 
  private:

@@ -106,7 +106,7 @@ class FaceTriangulation {
   std::uint32_t polls_ = 0;
   // Working memory, kept for the next face.
   std::vector<Edge> crossed_;     ///< edges that a segment crosses
-  std::vector<Index> unsettled_;  ///< facets that improve() has to look at
+  std::vector<Index> unsettled_;  ///< facets that improve() still has to check
   std::vector<char> isUnsettled_;
 };
 

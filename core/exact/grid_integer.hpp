@@ -59,7 +59,7 @@ inline mpz_class gridInteger<mpz_class>(double x, int gridExponent) {
 /// Up to this Grid::width() coordinates are subtracted as 128-bit integers.
 inline constexpr int kNarrowGrid = 125;
 
-/// x - y as an integer; `narrow` says that the grid is no wider than kNarrowGrid.
+/// x - y as an integer; `narrow` is true where the grid is no wider than kNarrowGrid.
 template <class T>
 T gridDifference(double x, double y, int gridExponent, bool /*narrow*/) {
   return gridInteger<T>(x, gridExponent) - gridInteger<T>(y, gridExponent);

@@ -33,10 +33,10 @@ IntegerView viewOf(const mpz_class& x) {
   return {mpz_limbs_read(x.get_mpz_t()), static_cast<int>(mpz_size(x.get_mpz_t())) * sgn(x)};
 }
 
-// A border as doubles compute with it. The sign rule is that of the mesh and the heights, so that borders change
-// nothing where none takes part. So the value must keep within what the rule was proven for, whatever the border: a
-// multiple of 2^-38, below 2^37 (and a difference to a coordinate below 2^38). Otherwise the error says how far it is
-// off.
+// A border in doubles. The sign rule is that of the mesh and the heights, so borders change no decision without a
+// border. The value must therefore keep within the limits for which the rule was proven, whatever the border: a
+// multiple of 2^-38, below 2^37 (and a difference to a coordinate below 2^38). Otherwise the error bounds the
+// deviation.
 ErrorDouble scaledBorder(double coordinate, int scale) {
   const double scaled = std::ldexp(coordinate, scale);
   if (!(std::fabs(scaled) < 0x1p37)) return {0, std::numeric_limits<double>::infinity()};

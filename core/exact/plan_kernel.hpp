@@ -132,16 +132,16 @@ class PlanKernel {
   /// True when both triangles lie in one plane (the face must face up).
   bool coplanar(Index face, Index other, ExactFallbacks& count) const;
 
-  /// Provenance: the point was made on that line (a trace is taken on `face`). False says nothing.
+  /// Provenance: returns true when the point was made on that line (a trace is taken on `face`). False has no meaning.
   [[nodiscard]] bool isKnownOn(const PlanLine& line, Index face, const PlanPoint& point) const;
-  /// Coordinate `axis` (0 or 1) where the point's making says that a double holds it exactly.
+  /// Coordinate `axis` (0 or 1) where the point's provenance shows that a double holds it exactly.
   [[nodiscard]] std::optional<double> knownCoordinate(const PlanPoint& point, int axis) const;
 
   /// Sign of a's minus b's coordinate where knownCoordinate() has both.
   [[nodiscard]] std::optional<int> compareKnown(const PlanPoint& a, const PlanPoint& b, int axis) const;
   /// Side of a border at a point where knownCoordinate() has a value.
   [[nodiscard]] std::optional<int> knownSide(const PlanLine& border, const PlanPoint& point) const;
-  /// True when the points' making says that they lie on one line. False says nothing.
+  /// Returns true when the points' provenance shows that they lie on one line. False has no meaning.
   [[nodiscard]] bool areKnownCollinear(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c) const;
 
   // Values for FaceGeometry and the joining step.

@@ -22,7 +22,7 @@ int shiftInto(mp_limb_t* limbs, IntegerView x, int shift) {
   return count;
 }
 
-// The nearest double of (quotient + a fraction below 1) * 2^exponent; `more` says whether there is a fraction.
+// The nearest double of (quotient + a fraction below 1) * 2^exponent; `more` is true where the fraction is not 0.
 double nearest(std::uint64_t quotient, bool more, int exponent, bool* exact) {
   const int top = exponent + 63 - std::countl_zero(quotient);
   const int lowest = std::max(top - 52, -1074);  // the exponent of the last bit that a double keeps

@@ -19,7 +19,7 @@
 namespace footfall::detail {
 namespace {
 
-// This many vertices or triangles are one task, with one check for cancelling.
+// One task has this many vertices or triangles, with one check for cancelling.
 constexpr std::size_t kPerTask = 1024;
 
 // Calls body(i) for 0 <= i < count, in parallel where there are many.
@@ -241,7 +241,7 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
     return Key{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)};
   };
   NumberedTable<Key> known;
-  std::vector<Index> idOf;  // vertex of each known place
+  std::vector<Index> idOf;  // vertex at each known place
   for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
     if (known.insert(keyOf(mesh.vertices[v])).second) idOf.push_back(static_cast<Index>(v));
   std::vector<Index> ids;

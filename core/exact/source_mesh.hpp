@@ -47,7 +47,7 @@ struct SourceMesh {
   std::shared_ptr<const SourceEdit> edit;  ///< its relation to an earlier mesh; null when it was made from nothing
   std::vector<char> addedLater;            ///< one flag per triangle: edits since the tree was built added it; or empty
 
-  /// So many vertices at the end are no corners of triangles, only places of the plan (addPlanPlaces()).
+  /// The number of vertices at the end that are no corners of triangles, only places of the plan (addPlanPlaces()).
   std::size_t planPlaces = 0;
   /// The mesh without those places, where another one of the same vertices and triangles may be compared with it; or
   /// null.
@@ -56,7 +56,7 @@ struct SourceMesh {
   [[nodiscard]] bool hasObstacleEdge(Index a, Index b) const;
 };
 
-/// Vertices and triangles over them that lie elsewhere, and what is known of them. What it shows must outlive it.
+/// A view of vertices and triangles that lie elsewhere, with facts about them. The viewed data must outlive it.
 struct SoupView {
   std::span<const Vec3> vertices;
   std::span<const Triangle> triangles;

@@ -24,13 +24,13 @@ bool isWithinSlope(const Vec3& a, const Vec3& b, const Vec3& c, double degrees, 
 /// doubles are, and below 90. It never falls when one of them grows.
 double slopeLimit(double maxSlope, double tolerance);
 
-/// The angle of isWithinSlope(), for many triangles whose normals are known already.
+/// The angle of isWithinSlope(), for many triangles whose normals are computed already.
 class SlopeLimit {
  public:
   explicit SlopeLimit(double degrees);
 
-  /// +1: a normal that faces up is within the angle, -1: it is not. The components
-  /// may have any common scale; `sign` says what to think of them.
+  /// +1: a normal that faces up is within the angle, -1: it is not. The components may have any common scale; `sign` is
+  /// the rule for their signs.
   [[nodiscard]] MaybeSign compare(const std::array<ErrorDouble, 3>& normal, const SignRule& sign) const;
 
  private:

@@ -14,8 +14,8 @@
 
 namespace footfall::detail {
 
-/// A tree over the triangles of an environment, with those that were added later beside it and those that went left
-/// out. The order of the visits says nothing.
+/// A tree over the triangles of an environment. Triangles that were added later are stored beside it, and removed ones
+/// are skipped. The order of the visits has no meaning.
 class SourceTree {
  public:
   /// Builds the tree as TriangleTree::build() does.

@@ -24,8 +24,8 @@ inline int neighborSlot(const TriangleFacet& facet, Index neighbor) {
   return facet.neighbors[0] == neighbor ? 0 : facet.neighbors[1] == neighbor ? 1 : 2;
 }
 
-/// Facets that tile the first one. Small, since triangulating is mostly flipping: what else is known of edges lies
-/// elsewhere (FaceTriangulation).
+/// Facets that tile the first one. They are small, because triangulating is mostly flipping; other facts about edges
+/// are stored elsewhere (FaceTriangulation).
 class TriangleFacets {
  public:
   /// Makes the first facet the only one. Its corners are the vertices 0, 1, 2 in some order.

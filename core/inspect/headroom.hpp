@@ -1,4 +1,4 @@
-// The free height above places, for heat maps: how high may somebody be who stands there?
+// The free height above places, for heat maps.
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A picture's measure, in doubles. What decides over walkable and not is VerticalClearanceFilter, exactly; what is said

@@ -35,7 +35,7 @@ std::vector<Mode> modesOf(const std::vector<double>& heights) {
   return modes;
 }
 
-// How usual a height of that many metres is in buildings, from 0 to 1: risers, parapets and sills, storeys.
+// The frequency, from 0 to 1, of a height of this many metres in buildings: risers, parapets and sills, storeys.
 double usualness(double metres) {
   if (metres >= 0.12 && metres <= 0.22) return 1;
   if (metres >= 2.2 && metres <= 4.2) return 0.9;

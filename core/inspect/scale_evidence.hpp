@@ -1,4 +1,4 @@
-// What the shapes of a level say about its unit: steps, doorways and storeys are of the size of people.
+// Estimates the unit of a level from its shapes: steps, doorways and storeys have the size of people.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

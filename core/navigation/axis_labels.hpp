@@ -1,4 +1,4 @@
-// Which feature of the border is nearest along the edges of a mesh.
+// Finds the nearest feature of the border along the edges of a mesh.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -15,8 +15,9 @@ struct AxisLabel {
   double end = 0;
 };
 
-/// Of an edge that is no border, in its direction; each feature differs from the one before it. Where two are equally
-/// near up to the field's margin, the one before stays: an edge that lies on the axis has one label.
+/// The labels of an edge that is no border, in its direction; each feature differs from the one before it. Where two
+/// features are equally near up to the field's margin, the previous one stays: an edge that lies on the axis has one
+/// label.
 std::vector<AxisLabel> labelsOf(const ClearanceField& field, std::uint32_t edge);
 
 }  // namespace footfall::detail

@@ -40,7 +40,7 @@ class AxisSystem {
     const FieldVector a = at(p), b = at(q), way = (b - a) * 2;
     return normalized({way.x, way.y, 0, dot(b, b) - dot(a, a)});
   }
-  /// Of two features that share a corner.
+  /// The axis of two features that share a corner.
   [[nodiscard]] static std::optional<FieldVector> sharedAxis(const FieldFeature& a, const FieldFeature& b) {
     if (a.isCorner() && b.isCorner()) return std::nullopt;
     if (a.isCorner()) return b.along;

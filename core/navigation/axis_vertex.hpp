@@ -9,7 +9,7 @@
 
 namespace footfall::detail {
 
-/// A feature and the fans of the corners at its ends, by which features that share a corner are known.
+/// A feature and the fans of the corners at its ends, which identify features that share a corner.
 struct AxisFeature {
   const FieldFeature* feature = nullptr;
   std::uint32_t beginFan = 0, endFan = 0;  ///< the same one for a corner

@@ -84,7 +84,7 @@ class BottleneckFinder {
       bool isLowest = true;
       for (std::size_t i = 0; i < nodes.size(); ++i)
         for (const std::uint32_t next : neighbours(nodes[i])) {
-          // What was taken before is narrower, or belongs to this valley.
+          // A bottleneck that was taken before is narrower, or belongs to this valley.
           if (isTaken[next] != 0 && std::find(nodes.begin(), nodes.end(), next) == nodes.end()) isLowest = false;
           if (isTaken[next] != 0 || widths_[next] > most) continue;
           isTaken[next] = 1;
@@ -121,7 +121,7 @@ class BottleneckFinder {
     const std::uint32_t e = edgeOf(nodes);
     if (e == kNoEdge) return;
     const CorridorEdge& edge = map_.edges[e];
-    // What does not get wider on two sides at least is the end of a way.
+    // A place that does not get wider on at least two sides is the end of a way.
     std::size_t wider = 0;
     for (const std::uint32_t node : nodes)
       for (const std::uint32_t next : neighbours(node)) wider += isWithin(nodes, next) ? 0 : 1;

@@ -84,7 +84,7 @@ class FaceForest {
   }
 
  private:
-  /// Where a region ends between its neighbours.
+  /// The place where a region ends between its neighbours.
   struct End {
     FieldVector place;
     double fault = kFarAway;  ///< by how much it is not where three regions meet
@@ -94,7 +94,8 @@ class FaceForest {
   [[nodiscard]] std::size_t before(std::size_t i) const { return i == 0 ? regions_.size() - 1 : i - 1; }
   [[nodiscard]] std::size_t behind(std::size_t i) const { return i + 1 == regions_.size() ? 0 : i + 1; }
 
-  /// By how much a feature is farther from a place than the nearest one, and the place lies outside of the face.
+  /// The larger of two faults: how much farther a feature is from a place than the nearest one, and how far the place
+  /// lies outside of the face.
   [[nodiscard]] double faultAt(FieldVector p, std::uint32_t of) const {
     double least = kFarAway;
     for (const std::uint32_t f : features_) least = std::min(least, distanceTo(feature(f), p));
@@ -115,7 +116,7 @@ class FaceForest {
       const FieldVector p = middleOf(feature(own.feature), feature(last.feature), last.place, own.place);
       return {p, faultAt(p, own.feature)};
     }
-    // Between its own edges the region of a corner begins.
+    // The region of a corner begins between its own edges.
     if (pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
         pairOf(field_, own.feature, next.feature) == AxisPair::Joined && feature(own.feature).isCorner())
       return {own.place, kFarAway};
@@ -229,7 +230,7 @@ class AxisMaker {
     for (const AxisArc& arc : axis_.arcs)
       if (lengthOf(axis_.nodes[arc.to].place - axis_.nodes[arc.from].place) <= least)
         sets.unite(static_cast<Index>(arc.from), static_cast<Index>(arc.to));
-    // Those within faces, which come last, are by formulas; the others may be off by the margin.
+    // Nodes within faces, which come last, have formulas; the others may be off by the margin.
     for (std::uint32_t n = cornerNodes_ + static_cast<std::uint32_t>(surface_.topology.fanVertices.size());
          n < axis_.nodes.size(); ++n)
       axis_.nodes[sets.find(static_cast<Index>(n))] = axis_.nodes[n];

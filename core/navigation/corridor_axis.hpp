@@ -24,7 +24,7 @@ struct AxisArc {
   std::uint32_t face = 0;
 };
 
-/// What two features have to do with each other.
+/// The relation of two features.
 enum class AxisPair {
   Apart,   ///< their nearest places differ all along
   Convex,  ///< edges that meet at a convex corner
@@ -52,7 +52,8 @@ double areaBeside(const FieldFeature& feature, const FieldFeature& other, FieldV
 /// The length of a piece of axis between two features, where the pair is not Joined.
 double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to);
 
-/// Whether a piece of axis is a parabola: one of the features is an edge, the other one a corner that is not its own.
+/// Returns whether a piece of axis is a parabola: one of the features is an edge, and the other one a corner that is
+/// not an end of it.
 inline bool isParabola(const FieldFeature& a, const FieldFeature& b, AxisPair pair) {
   return a.isCorner() != b.isCorner() && pair == AxisPair::Apart;
 }

@@ -118,7 +118,7 @@ class CorridorText {
   std::string text_;
 };
 
-/// What a file says, held to what a map must be.
+/// The content of a file, checked against the rules of a map.
 class CorridorReader {
  public:
   CorridorReader(const nlohmann::json& json, std::string name) : json_(json), name_(std::move(name)) {}
@@ -221,7 +221,7 @@ std::vector<Vec3> placesAlong(const CorridorMap& map, const CorridorEdge& edge) 
   for (int i = 1; i < kPieces && length > 0; ++i) {
     const double share = static_cast<double>(i) / kPieces;
     const Vec3 foot{line[0].x + share * x, line[0].y + share * y, 0};
-    // As far from the foot, at a right angle to the line, as from the focus.
+    // The place is as far from the foot, at a right angle to the line, as from the focus.
     const double nx = isLeftCorner ? -y / length : y / length, ny = isLeftCorner ? x / length : -x / length;
     const double dx = focus.x - foot.x, dy = focus.y - foot.y, across = dx * nx + dy * ny;
     if (!(across > 0)) continue;

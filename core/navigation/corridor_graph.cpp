@@ -76,7 +76,7 @@ class GraphMaker {
   }
   std::uint32_t part(std::uint32_t node) const { return parts_[node]; }
 
-  /// Of each part of the axis that has an arc, the node that is farthest from the border.
+  /// The node that is farthest from the border, for each part of the axis that has an arc.
   std::vector<std::uint32_t> widestNodes() {
     DisjointSets sets(axis_.nodes.size());
     for (std::size_t a = 0; a < axis_.arcs.size(); ++a)
@@ -101,7 +101,7 @@ class GraphMaker {
     return runs;
   }
 
-  /// From each convex corner the pieces between its two borders go, up to where the axis divides.
+  /// Leaves out the pieces from each convex corner between its two borders, up to where the axis divides.
   void leaveOutCorners() {
     for (std::uint32_t n = 0; n < axis_.nodes.size(); ++n) {
       if (n % 4096 == 0) poll_();

@@ -109,7 +109,8 @@ class MapMaker {
     map_.edges.push_back(std::move(edge));
   }
 
-  /// Between the ends of an edge: halfway between two corners, or between a corner and its foot on a border.
+  /// The narrow place between the ends of an edge: halfway between two corners, or between a corner and its foot on a
+  /// border.
   static std::optional<FieldVector> narrowPlace(const FieldFeature& a, const FieldFeature& b, FieldVector from,
                                                 FieldVector to) {
     if (!a.isCorner() && !b.isCorner()) return std::nullopt;

@@ -250,7 +250,7 @@ class DropSearch {
     return found;
   }
 
-  /// Computes the paths between the middles of the pieces; true when all were known.
+  /// Computes the paths between the middles of the pieces; returns true when all of them were known.
   bool computeLegs(const std::vector<std::uint32_t>& chain) {
     bool allKnown = true;
     for (std::size_t i = 0; i <= chain.size(); ++i) {
@@ -324,8 +324,8 @@ class DropSearch {
     }
   }
 
-  /// Halves those pieces of a chain that are half as long as the longest, or longer. What is known of a piece holds for
-  /// its halves.
+  /// Halves the pieces of a chain that are at least half as long as the longest. Results for a piece also hold for its
+  /// halves.
   void halve(const std::vector<std::uint32_t>& chain) {
     double longest = 0;
     for (const std::uint32_t i : chain) longest = std::max(longest, pieces_[i].startHalf + pieces_[i].landingHalf);

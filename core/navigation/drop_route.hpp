@@ -54,9 +54,9 @@ using LegFinder = std::function<RouteLeg(const RouteEnd& from, const RouteEnd& t
 /// One flag per part: drops lead there from `part`, which is one of them.
 std::vector<char> partsOverDrops(const NavigationMesh& mesh, const SurfaceTopology& topology, std::uint32_t part);
 
-/// The drops from a place in one part to a place in another one; nothing where no drops lead there. The way is at most
-/// 1 % longer than the shortest, or as good as a limited number of paths between drops shows; leastPlanLength says
-/// which.
+/// The drops from a place in one part to a place in another; empty where no drops lead there. The way is at most 1 %
+/// longer than the shortest, or as good as a limited number of paths between drops allows; leastPlanLength has the
+/// bound.
 std::optional<DropRoute> findDropRoute(const NavigationMesh& mesh, const SurfaceTopology& topology,
                                        const RouteEnd& from, const RouteEnd& to, const LegFinder& legBetween,
                                        Poll poll);

@@ -124,7 +124,8 @@ class RayWalk {
     return {true, touched};
   }
 
-  /// Whether the line goes on inside the triangle or along one of its sides, from its corner `i` on, which is on it.
+  /// Returns whether the line goes on inside the triangle or along one of its sides, from its corner `i`, which is on
+  /// the line.
   [[nodiscard]] bool goesOnFrom(std::uint32_t triangle, int i) const {
     return sideOf(triangle, (i + 1) % 3) <= 0 && sideOf(triangle, (i + 2) % 3) >= 0;
   }

@@ -266,7 +266,7 @@ class Search {
   Vec3 start_, goal_;
   std::vector<std::uint32_t> goalTriangles_;
   std::vector<Node> nodes_;
-  std::vector<double> rootLengths_;  ///< the shortest known to each fan
+  std::vector<double> rootLengths_;  ///< shortest known length to each fan
   /// The largest first: minus the least length, then the newest node, which is the nearest to a goal.
   std::priority_queue<std::pair<double, std::int32_t>> open_;
 };

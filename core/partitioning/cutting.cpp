@@ -288,7 +288,7 @@ class Cutting {
       const int start = geometry_.side(from, along, number);
       return start * geometry_.side(to, along, number) < 0 ? start : 0;
     };
-    // Those of one border are in order of the other, and that is the order of their coordinates.
+    // Places on one border are in the order of the other border, which is the order of their coordinates.
     bool falls = false;
     for (std::size_t i = 0; i < inside.size() && !falls; ++i) {
       const int d = direction(i);

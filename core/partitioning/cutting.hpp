@@ -32,9 +32,9 @@ struct CutEnvironment {
   std::uint64_t closedTriangles = 0;
 };
 
-/// Cuts the triangles with `included[t] != 0` (empty: all), walkable or rejected, upright ones too. Degenerate ones
-/// stay as they are, in the cell of their first corner. `round` says that the rounded places are what the vertices are
-/// (thesis 5.1.1): those that come together become one, and only rounding can break what is stated above.
+/// Cuts the triangles with `included[t] != 0` (empty: all), walkable or rejected, including upright ones. Degenerate
+/// ones stay as they are, in the cell of their first corner. With `round`, the rounded places are the vertices (thesis
+/// 5.1.1): vertices that coincide are merged, and only rounding can break the guarantees above.
 /// CutGeometry::exactPlace() gives the exact place of a vertex. Parallel; deterministic; `poll` is called every few
 /// milliseconds, by any thread, and may throw to cancel.
 CutEnvironment cutEnvironment(const SourceMesh& mesh, const Partition& partition, std::span<const char> included,

@@ -26,7 +26,7 @@ class QuadTree {
   void cut(CutTree& tree, TrianglePieces pieces, const PlanBox& box, const Middle& middle, int axis, int depth) {
     if (axis < 0) return grow(tree, std::move(pieces), box, depth + 1);
     if (!box.isInside(axis, middle[axis])) {
-      // No width on either axis: nothing would change any more.
+      // Both axes have no width, so further cuts would change nothing.
       if (axis == 1 && !box.isInside(0, middle[0])) return;
       return cut(tree, std::move(pieces), box, middle, axis - 1, depth);
     }

@@ -27,7 +27,7 @@ std::string textOf(FilterType strategy, const std::vector<double>& values) {
   return text;
 }
 
-/// One call of a strategy: what it looks at, and what it says about its choice.
+/// One call of a strategy: its input, and the reason for its choice.
 class StrategyCall {
  public:
   StrategyCall(FilterType strategy, const std::vector<double>& strategyValues, const StrategyInput& strategyInput)

@@ -16,7 +16,7 @@ namespace {
 
 // Small faces that a thread takes at once.
 constexpr std::size_t kFacesPerTake = 64;
-// So many segments make a floor worth being triangulated on its own.
+// Floors with at least this many segments are triangulated on their own.
 constexpr std::size_t kSegmentsOfLarge = 128;
 // Less work than that of so many trivial floors is not worth waking a thread for.
 constexpr double kWorkPerThread = 32;
@@ -134,7 +134,7 @@ void BlockRun::work() {
   }
 }
 
-// The filters that look at single faces, one after the other; then the cell is open to all.
+// Runs the filters of single faces one after the other; then all threads may work on the cell.
 void BlockRun::begin(Index cell, int thread) {
   CellState& work = cells_[cell];
   {
@@ -256,7 +256,8 @@ void BlockRun::reportItems(std::size_t done) const {
 bool BlockRun::takeFloors(CellState& work, std::vector<Index>& floors) {
   const std::size_t count = work.floors.size();
   if (work.next.load(std::memory_order_relaxed) >= count) return false;
-  // When others were quicker, some small ones are taken alone, or a large one with small ones: no harm.
+  // When other threads were quicker, some small faces are taken alone, or a large one with small ones, which does no
+  // harm.
   const std::size_t take = work.next.load(std::memory_order_relaxed) < work.large ? 1 : kFacesPerTake;
   const std::size_t first = work.next.fetch_add(take);
   const std::size_t last = std::min(first + take, count);
@@ -327,7 +328,7 @@ void BlockRun::clipShare(Index cell, Index face, ClearancePass::Worker& own) {
     if (merges()) addShare(cell, face, std::move(share));
     return;
   }
-  // One cell takes it as a whole: the first one that comes to it, or one that all processes know.
+  // One cell takes the face as a whole: the first one that reaches it, or the one that all processes agree on.
   const bool isFirst = shares_[sharesOf_[face]].begun.fetch_add(1) == 0;
   if (elsewhere_.exchange != nullptr ? isWholeOf(cell, face) : isFirst) addJoin(cell, face);
 }

@@ -64,7 +64,7 @@ class BlockRun {
     std::size_t shared = 0;     ///< number of floors, at the front, of which other cells have a part
     std::size_t large = 0;      ///< number of floors, at the front, that are taken one by one
     std::atomic<std::size_t> next{0};
-    std::atomic<std::size_t> left{1};  ///< items that are not done, and 1 until all are known
+    std::atomic<std::size_t> left{1};  ///< items that are not done, plus 1 until all of them are known
     std::atomic<bool> open{false};     ///< others may help
     std::atomic<Rest> rest{Rest::Unready};
     std::atomic<std::uint64_t> trianglesOut{0};

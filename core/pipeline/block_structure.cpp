@@ -27,7 +27,7 @@ bool needsClearance(const PipelineStep& step) {
 
 namespace {
 
-// Those that keep a drop's edge and its landing, or take both away.
+// Returns whether a filter keeps a drop's edge and its landing, or removes both.
 bool keepsDrops(FilterType type) {
   return type == FilterType::Drop || type == FilterType::Reachable || type == FilterType::Area;
 }

@@ -15,7 +15,7 @@ struct StructureError {
   Text message;          ///< the problem and the advice, without the place
 };
 
-/// Whether the step takes the height of agents from a Vertical clearance filter that must run before it.
+/// Returns whether the step uses the height of agents from a Vertical clearance filter that must run before it.
 bool needsClearance(const PipelineStep& step);
 
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a

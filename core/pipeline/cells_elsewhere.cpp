@@ -13,7 +13,7 @@ bool BlockRun::isWholeOf(Index cell, Index face) const {
   return shares_[sharesOf_[face]].counted == cell && !filters_.clearance->canShare(face);
 }
 
-// Shares that arrived wait until the floors of all cells are known.
+// Shares that have arrived wait until the floors of all cells are known.
 bool BlockRun::takeArrived(int thread) {
   if (elsewhere_.exchange == nullptr || !merges() || othersToTest_ > 0) return false;
   const std::optional<ArrivedShare> arrived = elsewhere_.exchange->take();

@@ -52,7 +52,7 @@ struct AgentNumber {
   double value = 0;
 };
 
-// Those of filters that the agent's pipeline has.
+// The numbers of an agent that its pipeline uses.
 std::vector<AgentNumber> numbersOf(const Agent& agent) {
   std::vector<AgentNumber> numbers{{FilterType::Slope, 0, agent.maxSlope},
                                    {FilterType::VerticalClearance, 0, agent.height},

@@ -11,13 +11,13 @@
 
 namespace footfall::detail {
 
-/// Parses as parsePipeline() does, but a strategy without its Collapse (or the other way round) and a global filter
-/// between them are no errors here: whether they fit is known when the steps are in their place. Throws InputError
+/// Parses as parsePipeline() does, except that a strategy without its Collapse (or the reverse) and a global filter
+/// between them are no errors: they can only be checked when the steps are in their place. Throws InputError
 /// "SOURCE:LINE:COLUMN: what; what to do".
 Pipeline parsePipelineFragment(std::string_view text, const std::string& source);
 
-/// readPipelineFile(), of a pipe as well. Throws Cancelled when `context` (may be null) was cancelled, as while nobody
-/// writes.
+/// Reads a pipeline as readPipelineFile() does, also from a pipe. Throws Cancelled when `context` (may be null) was
+/// cancelled, also while a pipe has no writer.
 Pipeline readPipeline(const std::string& path, const RunContext* context);
 
 }  // namespace footfall::detail

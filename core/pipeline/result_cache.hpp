@@ -20,7 +20,7 @@ struct CachedPrefix {
   StatePtr state;
   StateSummary summary;
   std::vector<StepStatistics> steps;             ///< statistics of the whole prefix, as measured
-  std::shared_ptr<const NavigationMesh> mesh;    ///< empty until somebody made it
+  std::shared_ptr<const NavigationMesh> mesh;    ///< empty until it is made
   std::shared_ptr<const RoundedPlaces> rounded;  ///< the places of which it was made
 };
 

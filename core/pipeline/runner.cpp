@@ -34,7 +34,7 @@ constexpr std::size_t kReturnedAtEnd = std::size_t{1} << 19;
 // memory.
 constexpr std::size_t kSettledAfter = std::size_t{1} << 19;
 
-// Everything that can be known to be wrong before the first step runs.
+// Checks everything that can be known to be wrong before the first step runs.
 void checkRunnable(const Pipeline& pipeline) {
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
@@ -56,7 +56,7 @@ void checkRunnable(const Pipeline& pipeline) {
   }
 }
 
-// Runs `work`; whatever goes wrong in it that is not the user's doing becomes a RunError that says where.
+// Runs `work`. Every error in it that the user has not caused becomes a RunError with the place.
 template <typename Work>
 auto guarded(const Text& where, Work&& work) {
   try {
@@ -195,7 +195,7 @@ class Run {
     return first;
   }
 
-  // Takes the longest known prefix; listeners get its steps as if they had run.
+  // Uses the longest cached prefix; listeners get its steps as if they had run.
   void takeFromCache() {
     if (cache_ == nullptr) return;
     for (std::size_t count = steps_.size() + 1; count-- > 0 && !current_.state;) {

@@ -16,7 +16,7 @@ struct CutCounts {
   std::uint64_t vertices = 0;
   std::uint64_t cutVertices = 0;  ///< vertices made by cuts
   std::uint64_t triangles = 0;
-  std::uint64_t closedTriangles = 0;  ///< triangles left out because rounding brought their corners together
+  std::uint64_t closedTriangles = 0;  ///< triangles left out because rounding merged their corners
 };
 
 struct CellsReport {

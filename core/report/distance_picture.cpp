@@ -91,7 +91,7 @@ void addFarthest(std::vector<SheetShape>& shapes, const DistanceBands& bands, co
   addLine(shapes, {p.x, p.y - kArm}, {p.x, p.y + kArm});
 }
 
-/// Of a file's name, in small letters and with its dot.
+/// The ending of a file's name, in lower case and with its dot.
 std::string endingOf(const std::string& path) {
   std::string ending = std::filesystem::path(path).extension().string();
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });

@@ -61,7 +61,7 @@ PlanFormat planFormatOf(const std::string& path);
 Pattern planKeeps(PlanFormat format);
 Pattern planLoses(PlanFormat format);
 
-/// The files of a plan, by the ending of `path`: one PDF with all pages, an SVG file for each ("plan-0.svg", or
+/// Makes the files of a plan, by the ending of `path`: one PDF with all pages, an SVG file for each ("plan-0.svg", or
 /// "plan.svg" where there is a single one), well-known text for each layer in the same way and "plan-links.wkt"
 /// (core/io/formats/wkt_export.hpp), or one GeoJSON file (geojson_export.hpp). Throws as drawFloorPlan() does.
 std::vector<OutputFile> makePlanFiles(const Environment& environment, const Pipeline& pipeline,

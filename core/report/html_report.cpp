@@ -110,7 +110,7 @@ class Table {
   std::string html_;
 };
 
-/// Areas for people: in square metres where the file's scale is known, else in the file's own units.
+/// Formats areas for people: in square metres where the file's scale is known, else in the file's own units.
 class AreaText {
  public:
   explicit AreaText(const Environment& environment) : isKnown_(!environment.scaleGuessed) {

@@ -10,8 +10,8 @@
 
 namespace footfall::detail {
 
-/// A value that is known to differ from a limit, with as many digits as it takes to see that; the same text where 17
-/// digits do not show it.
+/// A value that differs from a limit, with enough digits to show the difference; the same text where 17 digits do not
+/// show it.
 std::string textBeside(double value, double limit);
 
 /// "triangle 12 (mesh door, material wood), triangle 13".

@@ -16,7 +16,7 @@ constexpr double kHalo = 0.5;
 
 HPDF_REAL points(double millimetres) { return static_cast<HPDF_REAL>(millimetres * kPoint); }
 
-/// Letters of Latin-1 as PDF's standard fonts know them; "?" for others.
+/// Letters of Latin-1, which PDF's standard fonts have; "?" for others.
 std::string inLatin1(const std::string& utf8) {
   std::string text;
   for (std::size_t i = 0; i < utf8.size(); ++i) {
@@ -106,7 +106,7 @@ class PdfDocument {
 
   void setDashes(const std::vector<double>& dashes) {
     std::array<HPDF_UINT16, 4> lengths{};
-    // This version of libharu takes whole points only.
+    // This version of libharu accepts whole points only.
     const std::size_t count = std::min(dashes.size(), lengths.size());
     for (std::size_t i = 0; i < count; ++i) lengths[i] = static_cast<HPDF_UINT16>(std::max(1.0, dashes[i] * kPoint));
     HPDF_Page_SetDash(page_, count > 0 ? lengths.data() : nullptr, static_cast<HPDF_UINT>(count), 0);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kHalo = 0.5;
 
-/// Millimetres, to a thousandth, which nobody sees.
+/// Formats millimetres to a thousandth; smaller differences are invisible.
 std::string number(double value) {
   std::string text;
   appendNumber(text, std::round(value * 1000) / 1000);

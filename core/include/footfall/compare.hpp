@@ -27,7 +27,8 @@ struct SetDifference {
   std::array<SurfaceArea, 3> areas;
   /// The areas of the triangles of A and of B.
   std::array<std::vector<SurfaceArea>, 2> triangleAreas;
-  /// One flag per triangle: it is known to lie in the other set. Others may lie there as well.
+  /// One flag per triangle: set where it is known to lie in the other set. Triangles without the flag may lie there as
+  /// well.
   std::array<std::vector<char>, 2> covered;
 };
 

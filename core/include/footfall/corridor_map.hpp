@@ -15,7 +15,8 @@
 
 namespace footfall {
 
-/// Where an edge of the map ends, or its nearest borders change. Lengths are in the environment's units, in the plan.
+/// A place where an edge of the map ends, or where its nearest borders change. Lengths are in the environment's units,
+/// in the plan.
 struct CorridorVertex {
   Vec3 place;
   double width = 0;            ///< twice the distance to the nearest border
@@ -39,7 +40,7 @@ struct CorridorEdge {
   std::vector<std::uint32_t> triangles;  ///< of the mesh, under it, in its order
 };
 
-/// What lies on one side of a bottleneck.
+/// The area on one side of a bottleneck.
 struct BottleneckSide {
   /// The widest vertex that is reached on this side without going through anything as narrow; an agent that fits
   /// through the bottleneck gets there.
@@ -47,7 +48,7 @@ struct BottleneckSide {
   double area = 0;  ///< in the plan, of all that is on this side, where the bottleneck is the only way; else 0
 };
 
-/// Where the map is narrower than on either side.
+/// A place where the map is narrower than on either side.
 struct Bottleneck {
   Vec3 place;
   double width = 0;

@@ -14,7 +14,7 @@
 
 namespace footfall {
 
-/// Which coordinates import() rounds to a grid, and to which (docs/explanation/coordinates.md).
+/// The coordinates that import() rounds to a grid, and the choice of the grid (docs/explanation/coordinates.md).
 enum class GridChoice : std::uint8_t {
   Auto,  ///< files of floats and of placed meshes (glTF, FBX, DAE, 3DS, binary STL, PLY in floats), to the usual step
   On,    ///< all files, to the usual step
@@ -31,7 +31,8 @@ struct ImportOptions {
   /// Treat both sides of every triangle as its upper side, for soups with unreliable winding.
   bool bothSides = false;
   GridChoice grid = GridChoice::Auto;
-  /// With GridChoice::Step, in units of the file, above 0: the step is the largest power of two that is not above it.
+  /// The step for GridChoice::Step, in units of the file, above 0; the largest power of two that is not above it is
+  /// used.
   double gridStep = 0;
   /// The step that an earlier reading of the file used, a power of two in units of the file, or 0. It is used in place
   /// of the usual step while the usual one is at most four times smaller or larger, so that a file that is saved again
@@ -44,8 +45,8 @@ struct ImportOptions {
 
 /// The grid on which import put the coordinates of an environment, and what that changed.
 struct CoordinateGrid {
-  /// In units of the environment, a power of two: all coordinates are multiples of it. 0: there is no grid, and
-  /// coordinates are those that the file gives.
+  /// The step in units of the environment, a power of two: all coordinates are multiples of it. 0: there is no grid,
+  /// and coordinates are those of the file.
   double step = 0;
   std::uint32_t bits = 0;            ///< of the largest coordinate, counted in steps
   double largestMovement = 0;        ///< the largest distance between a vertex of the file and its place on the grid
@@ -116,14 +117,14 @@ struct Environment {
   SkippedElements skipped;
   std::vector<EnvironmentPart> parts;  ///< sorted by their first triangles
   std::vector<std::uint32_t> partOf;   ///< part of each triangle; empty when the file divides nothing into parts
-  /// The role of each part by what the file says that it is (of an IFC file: doors are open, furniture is an obstacle);
-  /// empty where it says nothing. load() has applied them.
+  /// The role of each part by its kind in the file (of an IFC file: doors are open, furniture is an obstacle); empty
+  /// where the file has no kinds. load() has applied them.
   std::vector<PartRole> usualRoles;
   std::vector<std::uint8_t> obstacleOnly;  ///< 1: never walkable, but an obstacle; one a triangle, or empty
   /// The edit by which it was made from another environment; else null.
   std::shared_ptr<const EnvironmentEdit> edit;
-  std::vector<Storey> storeys;  ///< of a building, ascending by height; empty where the file tells none
-  std::vector<Text> notes;      ///< what the user should know of how the file was read, a sentence each
+  std::vector<Storey> storeys;  ///< storeys of a building, ascending by height; empty where the file has none
+  std::vector<Text> notes;      ///< notes for the user about reading the file, a sentence each
   CoordinateGrid grid;          ///< limits of filters include its step (docs/explanation/coordinates.md)
 
   [[nodiscard]] SourceFrame frame() const { return {origin.empty() ? source : origin, up, metresPerUnit, storeys}; }

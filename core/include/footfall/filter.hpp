@@ -33,8 +33,8 @@ struct FilterDescriptor {
   std::vector<ParameterDescriptor> parameters;
   FilterKind kind = FilterKind::Filter;
   Scope scope = Scope::Local;
-  /// So many of the last parameters are a group that a step has any number of times, also not at all (ReachableFilter's
-  /// x y z); 0: each parameter stands once.
+  /// The number of last parameters that form a group which a step has any number of times, also not at all
+  /// (ReachableFilter's x y z); 0: each parameter occurs once.
   std::size_t repeats = 0;
   std::string_view groups{};  ///< name of the groups in JSON, e.g. "seeds"; empty when nothing repeats
 

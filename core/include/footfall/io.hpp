@@ -38,11 +38,11 @@ struct ExportOptions {
   double scale = 1;
   bool drops = true;  ///< the lines from upper to lower
   int godot = 4;      ///< for a .tres: the version of Godot that reads it, 3 or 4
-  /// For glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
+  /// glTF: all triangles in one mesh whose node is "walkable-navmesh", which Godot imports as a navigation region.
   bool navmeshNode = false;
-  /// For polygons (.wkt, .geojson): write this connected part alone, from 0 on, largest first; empty: all.
+  /// Polygons (.wkt, .geojson): write this connected part alone, from 0 on, largest first; empty: all.
   std::optional<std::uint32_t> part = std::nullopt;
-  /// For .geojson: the coordinate system that the environment is in already, "EPSG:25832"; nothing is moved.
+  /// .geojson: the coordinate system that the environment is in already, "EPSG:25832"; nothing is moved.
   std::string coordinateSystem = {};
 };
 

@@ -31,7 +31,7 @@ enum class LinkKind {
   Obstacle,    ///< something lower than the agent stands between
   LowCeiling,  ///< something hangs over the way, too low
   Wall,        ///< something as high as the agent stands between
-  Touch        ///< both meet in one point, through which nobody fits
+  Touch        ///< both meet in one point, which is too narrow for an agent
 };
 
 /// A place where one border is near another one, and what an agent would have to overcome there. Lengths are distances
@@ -57,7 +57,7 @@ struct BorderLink {
   [[nodiscard]] double size() const;
   /// An agent of any step and gap does not get over it.
   [[nodiscard]] bool isBlocked() const { return kind != LinkKind::Open && kind != LinkKind::Obstacle; }
-  /// No agent gets over it, however low it is: a wall, or borders that only touch.
+  /// Returns true where no agent gets over it, however low it is: a wall, or borders that only touch.
   [[nodiscard]] bool isClosed() const { return kind == LinkKind::Wall || kind == LinkKind::Touch; }
 };
 
@@ -111,14 +111,15 @@ struct PathResult {
   std::vector<Vec3> points;
   std::vector<std::uint32_t> triangles;
   std::vector<std::size_t> bends;  ///< points at which it turns around a corner of the border
-  std::vector<std::size_t> steps;  ///< pieces that are steps: straight up or down; `triangles` says where to
-  std::vector<std::size_t> gaps;   ///< pieces that lead over a gap; `triangles` says where to
-  std::vector<std::size_t> drops;  ///< pieces that are drops, one way down; `triangles` says where to
+  std::vector<std::size_t> steps;  ///< pieces that are steps, straight up or down; `triangles` has their ends
+  std::vector<std::size_t> gaps;   ///< pieces that lead over a gap; `triangles` has their ends
+  std::vector<std::size_t> drops;  ///< pieces that are drops, one way down; `triangles` has their ends
   double deepestDrop = 0;          ///< depth of the deepest of those
   /// PathStatus::NotConnected: drops lead from the target to the start, and nothing leads back.
   bool leadsBack = false;
 
-  double planLength = 0;  ///< the shortest there is, up to rounding; over drops as near to it as `leastPlanLength` says
+  /// shortest length, up to rounding; over drops, the length is as near to the shortest as `leastPlanLength` shows
+  double planLength = 0;
   /// A lower bound of the length in the plan of any way to `end`, up to rounding: `planLength` itself, or the proven
   /// bound when drops are taken.
   double leastPlanLength = 0;
@@ -140,7 +141,8 @@ struct PathResult {
 std::string_view statusWord(PathStatus status);
 std::string_view linkWord(LinkKind kind);
 
-/// One line that says why there is no path; empty when there is one. Heights and distances in the mesh's units.
+/// One line with the reason why there is no path; empty when there is one. Heights and distances are in the mesh's
+/// units.
 std::string describeFailure(const PathResult& result);
 
 /// Finds paths on one mesh. It is prepared once (adjacency, index of places; 60,000 triangles take some 30 ms) and then

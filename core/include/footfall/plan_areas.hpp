@@ -12,7 +12,7 @@
 
 namespace footfall {
 
-/// What hangs together in the plan of one layer.
+/// A connected region in the plan of one layer.
 struct PlanArea {
   std::uint32_t layer = 0;               ///< 0 for a mesh without layers
   std::uint32_t part = 0;                ///< connected part, numbered as findComponents() does

@@ -22,7 +22,7 @@ struct Pattern {
 #define FOOTFALL_TEXT(literal) (::footfall::Pattern{literal})
 
 /// A sentence or a part of one: either a pattern with a text for each of its places, or a plain text that is the same
-/// in all languages, such as a name, a number or what another library said.
+/// in all languages, such as a name, a number or a message of another library.
 class Text {
  public:
   Text() = default;

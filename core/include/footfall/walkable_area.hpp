@@ -1,4 +1,4 @@
-// From an environment and an agent to the area that the agent can walk on: one call.
+// The walkable area of an environment for an agent, in one call.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
