@@ -74,8 +74,11 @@ void stairs(Mesh& mesh, Point lower, Point upper, int steps, bool clip);
 struct Opening {
   int left, right, bottom, top;
 };
-Opening door(int left, int width = 1_m, int height = 2.125_m);
-Opening window(int left, int width = 1.25_m, int bottom = 0.875_m, int top = 2_m);
+// Constants, because Clang 14 does not take a consteval literal as a default argument.
+constexpr int kDoorWidth = 1_m, kDoorHeight = 2.125_m;
+constexpr int kWindowWidth = 1.25_m, kWindowBottom = 0.875_m, kWindowTop = 2_m;
+Opening door(int left, int width = kDoorWidth, int height = kDoorHeight);
+Opening window(int left, int width = kWindowWidth, int bottom = kWindowBottom, int top = kWindowTop);
 
 /// A wall along +X from the origin of `foot`, `thickness` deep along +Y. Its closed underside is kHair above the
 /// floor. Openings go from left to right.
