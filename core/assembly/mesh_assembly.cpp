@@ -87,7 +87,7 @@ std::shared_ptr<const NavigationMesh> previewOfFaces(const PlanKernel& kernel, c
       part->vertices.push_back(
           {origin.x + std::ldexp(p.x, scale), origin.y + std::ldexp(p.y, scale), origin.z + std::ldexp(z, scale)});
     }
-    for (const FaceMesh::Cell& c : meshes[face]->cells) addTriangle(c.corners);
+    for (const FaceMesh::Facet& c : meshes[face]->facets) addTriangle(c.corners);
   }
   return part;
 }

@@ -110,13 +110,13 @@ class ShareWriter {
       out_.real(mesh.approximate[i].y);
       out_.real(mesh.approximate[i].error);
     }
-    out_.number(mesh.cells.size());
-    for (const FaceMesh::Cell& cell : mesh.cells) {
-      out_.number(static_cast<std::uint64_t>(cell.obstacleEdges) << 3 | cell.outlineEdges);
+    out_.number(mesh.facets.size());
+    for (const FaceMesh::Facet& facet : mesh.facets) {
+      out_.number(static_cast<std::uint64_t>(facet.obstacleEdges) << 3 | facet.outlineEdges);
       for (int k = 0; k < 3; ++k) {
-        index(cell.corners[k]);
-        out_.number(static_cast<std::uint64_t>(cell.faceEdges[k] + 1));
-        orNone(cell.lines[k]);
+        index(facet.corners[k]);
+        out_.number(static_cast<std::uint64_t>(facet.faceEdges[k] + 1));
+        orNone(facet.lines[k]);
       }
     }
   }
@@ -291,16 +291,16 @@ class ShareReader {
       place.y = in_.real();
       place.error = in_.real();
     }
-    mesh->cells.resize(in_.count(10));
-    for (FaceMesh::Cell& cell : mesh->cells) {
+    mesh->facets.resize(in_.count(10));
+    for (FaceMesh::Facet& facet : mesh->facets) {
       const Index edges = in_.below(64);
-      cell.obstacleEdges = static_cast<std::uint8_t>(edges >> 3);
-      cell.outlineEdges = static_cast<std::uint8_t>(edges & kAllEdges);
+      facet.obstacleEdges = static_cast<std::uint8_t>(edges >> 3);
+      facet.outlineEdges = static_cast<std::uint8_t>(edges & kAllEdges);
       for (int k = 0; k < 3; ++k) {
-        cell.corners[k] = in_.below(static_cast<std::int64_t>(points));
-        cell.faceEdges[k] = static_cast<std::int8_t>(in_.below(4) - 1);
-        cell.lines[k] = orNone(mesh->lines.size());
-        if ((cell.outlineEdges >> k & 1) != 0 && cell.lines[k] < 0) throw BadBytes("an outline has no line");
+        facet.corners[k] = in_.below(static_cast<std::int64_t>(points));
+        facet.faceEdges[k] = static_cast<std::int8_t>(in_.below(4) - 1);
+        facet.lines[k] = orNone(mesh->lines.size());
+        if ((facet.outlineEdges >> k & 1) != 0 && facet.lines[k] < 0) throw BadBytes("an outline has no line");
       }
     }
     return mesh;

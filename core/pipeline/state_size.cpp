@@ -26,7 +26,7 @@ std::size_t bytesOf(const Adjacency& topology) { return bytesOf(topology.sides) 
 // Faces keep their points, and about two triangles and one line a point.
 std::size_t bytesOf(const AssemblyMemory& memory) {
   constexpr std::size_t kPerPoint =
-      sizeof(PlanPoint) + sizeof(ApproximatePoint) + sizeof(PlanLine) + 2 * sizeof(FaceMesh::Cell);
+      sizeof(PlanPoint) + sizeof(ApproximatePoint) + sizeof(PlanLine) + 2 * sizeof(FaceMesh::Facet);
   const JoinMemory& join = memory.join;
   std::size_t large = 0;
   for (const auto& [face, kept] : memory.large) large += sizeof(LargeFace) + bytesOf(kept->points);

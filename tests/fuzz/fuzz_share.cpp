@@ -16,12 +16,12 @@ namespace {
 
 const ShareRange kRange{1 << 20, 1 << 20, 4, 4};
 
-void requireInRange(const FaceMesh::Cell& cell, const FaceMesh& mesh) {
+void requireInRange(const FaceMesh::Facet& facet, const FaceMesh& mesh) {
   for (std::size_t k = 0; k < 3; ++k) {
-    require(cell.corners[k] >= 0 && static_cast<std::size_t>(cell.corners[k]) < mesh.points.size(),
+    require(facet.corners[k] >= 0 && static_cast<std::size_t>(facet.corners[k]) < mesh.points.size(),
             "a corner is out of range");
-    require(cell.lines[k] >= -1 && cell.lines[k] < static_cast<Index>(mesh.lines.size()), "a line is out of range");
-    if ((cell.outlineEdges >> k & 1) != 0) require(cell.lines[k] >= 0, "an outline has no line");
+    require(facet.lines[k] >= -1 && facet.lines[k] < static_cast<Index>(mesh.lines.size()), "a line is out of range");
+    if ((facet.outlineEdges >> k & 1) != 0) require(facet.lines[k] >= 0, "an outline has no line");
   }
 }
 
@@ -36,7 +36,7 @@ void requireInRange(const CellShare& share) {
                   static_cast<std::size_t>(s.line) < result.cuts->lines.size(),
               "a segment is out of range");
     if (!result.mesh) continue;
-    for (const FaceMesh::Cell& cell : result.mesh->cells) requireInRange(cell, *result.mesh);
+    for (const FaceMesh::Facet& facet : result.mesh->facets) requireInRange(facet, *result.mesh);
   }
   for (std::size_t i = 0; i < share.faces.size(); ++i)
     for (std::size_t j = 0; j < i; ++j) require(share.faces[i].face != share.faces[j].face, "a floor is there twice");

@@ -175,7 +175,7 @@ std::size_t ClearancePass::mesh(Index face, Worker& own) {
 std::size_t ClearancePass::triangles(Index face) const {
   if (cuts_->isRemoved(face)) return 0;
   const auto& mesh = (*meshes_)[face];
-  return mesh ? mesh->cells.size() : 1;
+  return mesh ? mesh->facets.size() : 1;
 }
 
 void ClearancePass::setResult(Index face, std::shared_ptr<const FaceCuts> cuts, std::shared_ptr<const FaceMesh> mesh) {

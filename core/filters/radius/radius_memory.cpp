@@ -132,7 +132,7 @@ std::size_t CutFaces::bytes() const {
     if (cut.cuts) bytes += cut.cuts->points.size() * (sizeof(PlanPoint) + sizeof(PlanLine) + sizeof(CutSegment));
     if (cut.mesh)
       bytes += cut.mesh->points.size() * (sizeof(PlanPoint) + sizeof(ApproximatePoint)) +
-               cut.mesh->lines.size() * sizeof(PlanLine) + cut.mesh->cells.size() * sizeof(FaceMesh::Cell);
+               cut.mesh->lines.size() * sizeof(PlanLine) + cut.mesh->facets.size() * sizeof(FaceMesh::Facet);
   }
   return bytes;
 }

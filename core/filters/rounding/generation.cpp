@@ -141,7 +141,7 @@ class SoupBuilder {
         if (parts[face]) continue;
         const FaceMesh& mesh = mesher->mesh(face, cutsOf(face), true);
         const auto part = std::make_shared<CoveredPart>();
-        for (const FaceMesh::Cell& cell : mesh.cells) part->triangles.push_back(cell.corners);
+        for (const FaceMesh::Facet& facet : mesh.facets) part->triangles.push_back(facet.corners);
         part->places.resize(mesh.points.size());
         // A face can carry most of a level's points. Isolated, so that no other face's work starts on top of this
         // one's, which would make another mesh in this one's memory.

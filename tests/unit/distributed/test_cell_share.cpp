@@ -32,9 +32,9 @@ CellShare someShare() {
   mesh->lines = {edge(3, 99)};
   mesh->points = {PlanPoint::source(1), PlanPoint::source(2), PlanPoint::source(3), PlanPoint::source(4)};
   mesh->approximate = {{1, 2, 0.5}, {-1, 1e300, 0}, {0, -0.0, 3}, {4, 5, 6}};
-  mesh->cells.resize(2);
-  mesh->cells[0] = {{0, 1, 2}, 4, 2, {-1, 0, 2}, {-1, 0, 0}};
-  mesh->cells[1] = {{3, 2, 1}, 0, 7, {1, -1, -1}, {0, 0, 0}};
+  mesh->facets.resize(2);
+  mesh->facets[0] = {{0, 1, 2}, 4, 2, {-1, 0, 2}, {-1, 0, 0}};
+  mesh->facets[1] = {{3, 2, 1}, 0, 7, {1, -1, -1}, {0, 0, 0}};
   auto removed = std::make_shared<FaceCuts>();
   removed->removed = true;
   CellShare share;
@@ -108,8 +108,8 @@ class TestCellShare : public QObject {
     QVERIFY(mesh.points == original.faces[0].mesh->points && mesh.lines == original.faces[0].mesh->lines);
     QCOMPARE(mesh.approximate[1].y, 1e300);
     QVERIFY(std::signbit(mesh.approximate[2].y));
-    QVERIFY(mesh.cells[0].corners == (std::array<Index, 3>{0, 1, 2}) && mesh.cells[1].lines[2] == 0);
-    QVERIFY(mesh.cells[0].obstacleEdges == 4 && mesh.cells[0].outlineEdges == 2 && mesh.cells[0].faceEdges[0] == -1);
+    QVERIFY(mesh.facets[0].corners == (std::array<Index, 3>{0, 1, 2}) && mesh.facets[1].lines[2] == 0);
+    QVERIFY(mesh.facets[0].obstacleEdges == 4 && mesh.facets[0].outlineEdges == 2 && mesh.facets[0].faceEdges[0] == -1);
     QVERIFY(share.faces[1].cuts->removed && share.faces[1].mesh == nullptr);
     QCOMPARE(share.parts[0].share.pieces[0].segment.from, -1);
     QCOMPARE(share.parts[0].share.pieces[1].obstacle, 8);
@@ -126,7 +126,7 @@ class TestCellShare : public QObject {
     QCOMPARE(refusal(share), std::string("a number is out of range"));
     share = someShare();
     FaceMesh mesh = *share.faces[0].mesh;
-    mesh.cells[1].lines[2] = -1;
+    mesh.facets[1].lines[2] = -1;
     share.faces[0].mesh = std::make_shared<const FaceMesh>(std::move(mesh));
     QCOMPARE(refusal(share), std::string("an outline has no line"));
     share = someShare();
@@ -167,13 +167,13 @@ class TestCellShare : public QObject {
     QCOMPARE(refusalOfCuts([](FaceCuts& cuts) { cuts.segments[0].line = 2; }), std::string("a number is out of range"));
     QCOMPARE(refusalOfCuts([](FaceCuts& cuts) { cuts.segments.clear(); }),
              std::string("a winding number has no segments"));
-    QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.cells[1].corners[1] = 4; }),
+    QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.facets[1].corners[1] = 4; }),
              std::string("a number is out of range"));
-    QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.cells[1].lines[1] = 1; }),
+    QCOMPARE(refusalOfMesh([](FaceMesh& mesh) { mesh.facets[1].lines[1] = 1; }),
              std::string("a number is out of range"));
     QCOMPARE(refusalOfMesh([](FaceMesh& mesh) {
                mesh.points.resize(2);
-               mesh.cells.clear();
+               mesh.facets.clear();
              }),
              std::string("a face has no corners"));
   }
