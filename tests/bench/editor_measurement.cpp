@@ -9,10 +9,13 @@
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/view_watch.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"
 #include "ui/base/frame_watchdog.hpp"
 #include "ui/base/localized_numbers.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/level/obstacle_features.hpp"
 
 namespace footfall::bench {
@@ -75,7 +78,7 @@ NumberField& fieldOf(EditorWindow& window, const char* filter) {
   const auto& entries = window.document().filters();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (entries[i].step.filter->name == filter)
-      return *qobject_cast<NumberField*>(window.filterList().rows()[i]->field(0));
+      return *qobject_cast<NumberField*>(test::partOf<FilterList>(window).rows()[i]->field(0));
   }
   throw RunError(std::string("no ") + filter + " in the list");
 }
@@ -100,8 +103,8 @@ Json measureOpening(EditorWindow& window, ViewWatch& watch, const std::string& e
   QObject::connect(&window.controller(), &RunController::finished, &guard, [&] { json["computed_ms"] = clock.ms(); });
   watch.begin();
   window.open(QString::fromStdString(environment));
-  waitFor([&] { return watch.done() || window.messageBar().isVisible(); }, "nothing is opened");
-  if (!watch.done()) throw RunError(environment + ": " + window.messageBar().text().toStdString());
+  waitFor([&] { return watch.done() || test::partOf<MessageBar>(window).isVisible(); }, "nothing is opened");
+  if (!watch.done()) throw RunError(environment + ": " + test::partOf<MessageBar>(window).text().toStdString());
   json["ms"] = clock.ms();
   json["run_ms"] = window.controller().finishedRun()->result.totalMs;
   waitFor([&] { return window.idle() && window.view().isWhole(); }, "opening does not end");

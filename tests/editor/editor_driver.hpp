@@ -9,7 +9,9 @@
 #include <QtTest>
 
 #include "footfall/filter.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/guarded_application.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/window/editor_application.hpp"
 #include "ui/window/editor_window.hpp"
 
@@ -87,7 +89,7 @@ inline bool openZUp(EditorWindow& window, const QString& path, const char* pipel
 
 /// Opens a row of the filter list and returns the field of one of its values.
 inline NumberField* openField(EditorWindow& window, std::size_t row, std::size_t value = 0) {
-  FilterRow* found = window.filterList().rows()[row];
+  FilterRow* found = partOf<FilterList>(window).rows()[row];
   QTest::mouseClick(found->nameLabel(), Qt::LeftButton);
   return qobject_cast<NumberField*>(found->field(value));
 }

@@ -95,27 +95,8 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] UnitChoice& units() { return units_; }
   [[nodiscard]] MessageLog& log() { return log_; }
   [[nodiscard]] LevelView& view() { return *view_; }
-  [[nodiscard]] ViewLayout& overlays() { return *overlays_; }
-  [[nodiscard]] Legend& legend() { return overlays_->legend(); }
-  [[nodiscard]] HeightSlider& heightSlider() { return overlays_->heights(); }
-  [[nodiscard]] FilterList& filterList() { return *filters_; }
-  [[nodiscard]] ImportPanel& importPanel() { return *import_; }
-  [[nodiscard]] CellsFeature& cellsFeature() { return *cells_; }
-  [[nodiscard]] CellModel& cells() { return cells_->model(); }
   [[nodiscard]] CellWatch& cellWatch() { return cells_->watch(); }
-  [[nodiscard]] CellLegend& cellLegend() { return cells_->legend(); }
-  [[nodiscard]] LoadPanel& loadPanel() { return cells_->panel(); }
-  [[nodiscard]] RunThreads& runThreads() { return cells_->threads(); }
-  [[nodiscard]] RunPlaces& runPlaces() { return cells_->places(); }
   [[nodiscard]] PackedFeature& packed() { return *packed_; }
-  [[nodiscard]] MessageBar& messageBar() { return *messages_; }
-  [[nodiscard]] StatusLine& statusLine() { return *status_; }
-  [[nodiscard]] ProgressDisplay& progressDisplay() { return *progress_; }
-  [[nodiscard]] QPushButton* cancelButton() const { return cancel_; }
-  [[nodiscard]] WelcomePage& welcomePage() { return *welcomePage_; }
-  [[nodiscard]] CommandPalette& commandPalette() { return *palette_; }
-  [[nodiscard]] HelpPanel& helpPanel() { return *help_; }
-  [[nodiscard]] LogPanel& logPanel() { return runLog_->panel(); }
   [[nodiscard]] FileWriter& writer() { return *writer_; }
   /// The level that runs compute on, with roles of parts and obstacles. Null when nothing is loaded.
   [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }

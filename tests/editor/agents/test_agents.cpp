@@ -3,8 +3,11 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/level/import_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -126,7 +129,8 @@ class TestAgents : public QObject {
     QVERIFY(!filterNames(*window_).contains("StepFilter"));
     QVERIFY(document().state().agent != 0);
     typeInto(AgentModel::Step, "-1");
-    QVERIFY2(window_->messageBar().text().contains("-1 is out of range"), qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("-1 is out of range"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(document().state().agents[0].step, 0.0);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(filterNames(*window_)[3], QString("StepFilter"));
@@ -139,7 +143,8 @@ class TestAgents : public QObject {
     QCOMPARE(QString::fromStdString(document().state().agents[0].name), QString("Tall, \"old\" human"));
     typeInto(AgentModel::MaxSlope, "95");
     QCOMPARE(slope(), 45.0);
-    QVERIFY2(window_->messageBar().text().contains("95 is out of range"), qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("95 is out of range"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QVERIFY(table->isVisible());
   }
 
@@ -178,7 +183,7 @@ class TestAgents : public QObject {
   void heightsStayTheSameInMetres() {
     open();
     addPreset("Human");
-    auto* scale = window_->importPanel().scaleField();
+    auto* scale = partOf<ImportPanel>(*window_).scaleField();
     scale->setFocus();
     scale->selectAll();
     QTest::keyClicks(scale, "0.05");

@@ -13,7 +13,9 @@
 #include <QTabBar>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/focus_ring.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/window/welcome_page.hpp"
 
@@ -122,7 +124,7 @@ class TestAccessibility : public QObject {
   }
 
   void tabReachesEveryControl() {
-    window_->messageBar().clear();  // Notes are shown for a moment only.
+    partOf<MessageBar>(*window_).clear();  // Notes are shown for a moment only.
     QSet<QWidget*> wanted;
     for (QWidget* widget : window_->findChildren<QWidget*>()) {
       const bool tabs = (widget->focusPolicy() & Qt::TabFocus) != 0;

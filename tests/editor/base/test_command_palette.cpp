@@ -3,10 +3,12 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/fuzzy_match.hpp"
 #include "ui/base/shortcut_window.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/window/help_panel.hpp"
 
 using namespace footfall;
@@ -179,10 +181,10 @@ class TestCommandPalette : public QObject {
   void helpFollowsTheFocus() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
     window_->commands().find("view.help")->trigger();
-    HelpPanel& help = window_->helpPanel();
+    HelpPanel& help = partOf<HelpPanel>(*window_);
     QTRY_VERIFY(help.isVisible());
     QVERIFY(help.toPlainText().contains("F1"));
-    const auto& rows = window_->filterList().rows();
+    const auto& rows = partOf<FilterList>(*window_).rows();
     QTest::mouseClick(openField(*window_, 0), Qt::LeftButton);
     const FilterDescriptor& slope = filterDescriptor(FilterType::Slope);
     QTRY_VERIFY(help.toPlainText().contains(filterText(slope.help)));
@@ -196,7 +198,7 @@ class TestCommandPalette : public QObject {
  private:
   CommandPalette& openPalette() {
     QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
-    CommandPalette& palette = window_->commandPalette();
+    CommandPalette& palette = partOf<CommandPalette>(*window_);
     if (!QTest::qWaitFor([&] { return palette.isVisible(); })) qFatal("the palette did not open");
     palette.field()->setFocus();
     return palette;

@@ -4,7 +4,9 @@
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/base/number_field.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/filters/filter_list.hpp"
@@ -58,14 +60,15 @@ class TestGerman : public QObject {
     QVERIFY(messageAfterOpening(session).contains(": fehlerhaft bei Byte "));
     const QString pipeline = writeFile(*folder_, "bad.pipeline", "SlopeFilter\n");
     window_->openPipeline(pipeline);
-    QCOMPARE(window_->messageBar().text(), pipeline +
-                                               ":1:12: SlopeFilter braucht einen Wert für max_slope; schreiben Sie "
-                                               "zum Beispiel „SlopeFilter 45“");
+    QCOMPARE(partOf<MessageBar>(*window_).text(),
+             pipeline +
+                 ":1:12: SlopeFilter braucht einen Wert für max_slope; schreiben Sie "
+                 "zum Beispiel „SlopeFilter 45“");
   }
 
   void messagesAboutValuesAndBlocks() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), "SlopeFilter 45\n"));
-    FilterRow* row = window_->filterList().rows()[0];
+    FilterRow* row = partOf<FilterList>(*window_).rows()[0];
     auto* field = openField(*window_, 0);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "95");
@@ -75,7 +78,7 @@ class TestGerman : public QObject {
     QVERIFY(!row->errorText().contains("max_slope"));
     QTest::keyClick(field, Qt::Key_Escape);
     window_->document().replacePipeline(parsePipelineFragment("GridStrategy 2 2\n", "test"), "test");
-    QTRY_COMPARE(window_->messageBar().text(),
+    QTRY_COMPARE(partOf<MessageBar>(*window_).text(),
                  QString("Schritt 1 (Gitterstrategie): Gitterstrategie beginnt einen parallelen Block, der nie "
                          "endet; setzen Sie ein Collapse dahinter"));
   }
@@ -87,7 +90,7 @@ class TestGerman : public QObject {
   QString messageAfterOpening(const QString& path) {
     QSignalSpy failed(window_.get(), &EditorWindow::loadFailed);
     window_->open(path);
-    return failed.count() > 0 || failed.wait() ? window_->messageBar().text() : QString();
+    return failed.count() > 0 || failed.wait() ? partOf<MessageBar>(*window_).text() : QString();
   }
 
   std::unique_ptr<QTemporaryDir> folder_;

@@ -4,8 +4,10 @@
 #include <new>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/frame_watchdog.hpp"
 #include "ui/base/log_panel.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/base/message_log.hpp"
 #include "ui/base/progress_display.hpp"
 
@@ -46,7 +48,7 @@ class TestLogPanel : public QObject {
 
   void opensRunsAndErrorsAreKept() {
     window_->open(folder_->filePath("missing.obj"));
-    QTRY_VERIFY(window_->messageBar().isVisible());
+    QTRY_VERIFY(partOf<MessageBar>(*window_).isVisible());
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     const QStringList texts = allTexts();
     QVERIFY(texts[0].contains("missing.obj"));
@@ -113,18 +115,18 @@ class TestLogPanel : public QObject {
   void exceptionsInEventsAreToldAndNotDiedOf() {
     Reacting hungry([] { throw std::bad_alloc(); });
     QCoreApplication::postEvent(&hungry, new QEvent(QEvent::User));
-    QTRY_VERIFY(window_->messageBar().isVisible());
-    QVERIFY(window_->messageBar().text().contains("memory ran out"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).isVisible());
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("memory ran out"));
     Reacting wrong([] { throw std::runtime_error("the reason"); });
     QCoreApplication::postEvent(&wrong, new QEvent(QEvent::User));
-    QTRY_VERIFY(window_->messageBar().text().contains("the reason"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("the reason"));
     QCOMPARE(window_->log().messages().back().level, MessageLevel::Error);
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));  // and works on
   }
 
   void memoryErrorsWhileWritingAreTold() {
     window_->writer().write([] { throw std::bad_alloc(); }, folder_->filePath("x.obj"));
-    QTRY_VERIFY(window_->messageBar().text().contains("memory ran out"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("memory ran out"));
     QVERIFY(window_->idle());
     BackgroundQueue queue;
     std::atomic<bool> done = false;
@@ -188,7 +190,7 @@ class TestLogPanel : public QObject {
  private:
   LogPanel& openLog() {
     QTest::keyClick(window_.get(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
-    LogPanel& panel = window_->logPanel();
+    LogPanel& panel = partOf<LogPanel>(*window_);
     if (!QTest::qWaitFor([&] { return panel.isVisible(); })) qFatal("the log did not open");
     return panel;
   }

@@ -8,9 +8,12 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/command_palette.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/base/panel_dock.hpp"
 #include "ui/base/translations.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/window/window_placement.hpp"
 
 using namespace footfall;
@@ -153,7 +156,7 @@ class TestPanels : public QObject {
     field->setFocus();
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, QString(90, '7'));
-    QVERIFY(!window_->filterList().rows()[1]->errorText().isEmpty());
+    QVERIFY(!partOf<FilterList>(*window_).rows()[1]->errorText().isEmpty());
     QTest::qWait(100);
     QCOMPARE(dock->width(), width);
     QCOMPARE(window_->view().width(), view);
@@ -186,7 +189,7 @@ class TestPanels : public QObject {
     open(kSmallScreen);
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()),
                     "AutoStrategy\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nLayerSubdivisionFilter\n"));
-    window_->messageBar().showError(QString(40, 'x') + ": " + QString("a long story ").repeated(12));
+    partOf<MessageBar>(*window_).showError(QString(40, 'x') + ": " + QString("a long story ").repeated(12));
     for (QDockWidget* dock : docksOf(*window_)) {
       bringToFront(*dock);
       QTest::qWait(30);

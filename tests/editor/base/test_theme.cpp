@@ -7,8 +7,10 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/system_colours.hpp"
 #include "ui/base/theme.hpp"
+#include "ui/level/import_panel.hpp"
 #include "ui/view/appearance.hpp"
 
 using namespace footfall;
@@ -94,7 +96,7 @@ class TestTheme : public QObject {
     QVERIFY(showWindow(window));
     Theme::instance()->setChoice(ThemeChoice::Light);
     QVERIFY(!isDarkTheme());
-    QWidget* panel = &window.importPanel();
+    QWidget* panel = &partOf<ImportPanel>(window);
     const QPoint corner(panel->width() - 3, panel->height() - 3);
     QTRY_VERIFY(pixelOf(panel, corner).lightness() > 180);
     QAction* dark = window.commands().find("view.theme.dark");

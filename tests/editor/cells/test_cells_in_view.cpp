@@ -7,6 +7,12 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/cells/cell_legend.hpp"
+#include "ui/cells/cells_feature.hpp"
+#include "ui/cells/load_panel.hpp"
+#include "ui/filters/filter_list.hpp"
+#include "ui/view/height_slider.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;
@@ -169,8 +175,8 @@ class TestCellsInView : public QObject {
 
   void aRunShowsItsCells() {
     QVERIFY(openGrid());
-    QCOMPARE(window_->cells().blocks().size(), std::size_t{1});
-    const CellBlock& block = window_->cells().blocks()[0];
+    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
+    const CellBlock& block = partOf<CellsFeature>(*window_).model().blocks()[0];
     QCOMPARE(block.report.cells.size(), std::size_t{4});
     QVERIFY(block.complete());
     QVERIFY(std::ranges::all_of(block.finished, [](char done) { return done != 0; }));
@@ -179,13 +185,13 @@ class TestCellsInView : public QObject {
     QTest::keyClick(window_.get(), Qt::Key_C);
     QVERIFY(window_->view().parts().cells);
     QTRY_VERIFY(window_->cellWatch().upToDate());
-    QVERIFY(window_->cellLegend().isVisible());
-    window_->cells().setColouring(CellColouring::Triangles);
+    QVERIFY(partOf<CellLegend>(*window_).isVisible());
+    partOf<CellsFeature>(*window_).model().setColouring(CellColouring::Triangles);
     window_->view().cameraController().viewFromTop();
-    const CellScale scale = window_->cells().scaleOf(0);
+    const CellScale scale = partOf<CellsFeature>(*window_).model().scaleOf(0);
     const QImage picture = window_->view().grabFramebuffer();
     for (std::size_t cell = 0; cell < 4; ++cell) QVERIFY(shareOf(picture, *scale.colourOf(cell)) > 0.01);
-    QVERIFY(window_->cellLegend().text().contains("triangles"));
+    QVERIFY(partOf<CellLegend>(*window_).text().contains("triangles"));
     QTest::keyClick(window_.get(), Qt::Key_C);
     QVERIFY(shareOf(window_->view().grabFramebuffer(), walkablePaint().colour) > 0.1);
   }
@@ -201,19 +207,19 @@ class TestCellsInView : public QObject {
     const auto cell = view.cellAt(right);
     QVERIFY(cell.has_value());
     const QImage before = view.grabFramebuffer();
-    const QImage bars = window_->loadPanel().timeline().toPixmap().toImage();
+    const QImage bars = partOf<LoadPanel>(*window_).timeline().toPixmap().toImage();
     QTest::mouseMove(&view, right);
-    QTRY_VERIFY((window_->cells().hovered() == CellId{0, *cell}));
+    QTRY_VERIFY((partOf<CellsFeature>(*window_).model().hovered() == CellId{0, *cell}));
     QVERIFY(view.grabFramebuffer() != before);
-    QVERIFY(window_->loadPanel().timeline().toPixmap().toImage() != bars);
-    window_->cells().setHovered({});
+    QVERIFY(partOf<LoadPanel>(*window_).timeline().toPixmap().toImage() != bars);
+    partOf<CellsFeature>(*window_).model().setHovered({});
     QCOMPARE(view.grabFramebuffer(), before);
     // The other way round.
-    TimelinePlot& plot = window_->loadPanel().timeline();
+    TimelinePlot& plot = partOf<LoadPanel>(*window_).timeline();
     plot.replot();
     const Timeline::Bar& bar = plot.timeline().bars.front();
     QTest::mouseMove(&plot, plot.placeOf(bar).toPoint());
-    QTRY_COMPARE(window_->cells().hovered(), bar.cell);
+    QTRY_COMPARE(partOf<CellsFeature>(*window_).model().hovered(), bar.cell);
     QVERIFY(view.grabFramebuffer() != before);
   }
 
@@ -228,7 +234,7 @@ class TestCellsInView : public QObject {
     const auto cell = view.cellAt(place);
     QVERIFY(cell.has_value());
     QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
-    QVERIFY((window_->cells().selected() == CellId{0, *cell}));
+    QVERIFY((partOf<CellsFeature>(*window_).model().selected() == CellId{0, *cell}));
     QVERIFY(!(view.cameraController().pose().position == start.position));
     QCOMPARE(view.cameraController().pose().orientation, start.orientation);
     // The cell fills the view: its middle is in the middle.
@@ -241,27 +247,27 @@ class TestCellsInView : public QObject {
     QCoreApplication::sendEvent(&view, &move);
     QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, place + QPoint(60, 10));
     QVERIFY(view.cameraController().pose().orientation != framed.orientation);
-    QVERIFY((window_->cells().selected() == CellId{0, *cell}));
+    QVERIFY((partOf<CellsFeature>(*window_).model().selected() == CellId{0, *cell}));
   }
 
   void aBlockFromTheCacheKeepsItsFigures() {
     QVERIFY(openGrid());
-    const auto run = window_->cells().blocks()[0].run;
+    const auto run = partOf<CellsFeature>(*window_).model().blocks()[0].run;
     window_->document().setValue(window_->document().filters().back().id, 0, 1, 1);  // The filter is behind Collapse.
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().finishedRun()->result.blocks.empty());
-    QCOMPARE(window_->cells().blocks().size(), std::size_t{1});
-    QCOMPARE(window_->cells().blocks()[0].run, run);
+    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
+    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks()[0].run, run);
     // The block goes, the cells go, and both come back.
     const auto id = [this](std::size_t row) { return window_->document().filters()[row].id; };
     window_->document().setEnabled(id(0), false);
     window_->document().setEnabled(id(3), false);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(window_->cells().empty());
+    QVERIFY(partOf<CellsFeature>(*window_).model().empty());
     window_->document().undoStack()->undo();
     window_->document().undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->cells().blocks().size(), std::size_t{1});
+    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
   }
 
   void runningInParallelIsOneEdit() {
@@ -269,17 +275,17 @@ class TestCellsInView : public QObject {
         openZUp(*window_, writeFile(folder_, "floor.obj", floorObj()),
                 "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0\n"));
     window_->setCellsShown({false, true, CellColouring::Thread});
-    QVERIFY(window_->loadPanel().showsEmptyState());
+    QVERIFY(partOf<LoadPanel>(*window_).showsEmptyState());
     const QStringList before = filterNames(*window_);
     const int clearance = window_->document().filters()[3].id;
-    QTest::mouseClick(window_->loadPanel().parallelButton(), Qt::LeftButton);
+    QTest::mouseClick(partOf<LoadPanel>(*window_).parallelButton(), Qt::LeftButton);
     QCOMPARE(filterNames(*window_), (QStringList{"DuplicationFilter", "AutoStrategy", "DegeneracyFilter", "SlopeFilter",
                                                  "VerticalClearanceFilter", "Collapse", "AreaFilter"}));
     QCOMPARE(window_->document().filters()[4].id, clearance);  // rows keep their identity
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(!window_->loadPanel().showsEmptyState());
-    QVERIFY2(window_->filterList().rows()[1]->figuresText().contains("1 cell"),
-             qPrintable(window_->filterList().rows()[1]->figuresText()));
+    QVERIFY(!partOf<LoadPanel>(*window_).showsEmptyState());
+    QVERIFY2(partOf<FilterList>(*window_).rows()[1]->figuresText().contains("1 cell"),
+             qPrintable(partOf<FilterList>(*window_).rows()[1]->figuresText()));
     window_->document().undoStack()->undo();
     QCOMPARE(filterNames(*window_), before);
     QVERIFY(!window_->document().undoStack()->canUndo());
@@ -305,28 +311,28 @@ class TestCellsInView : public QObject {
     window_->document().setEnabled(window_->document().filters()[0].id, false);
     window_->document().setEnabled(window_->document().filters()[3].id, false);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(window_->cells().empty());
+    QVERIFY(partOf<CellsFeature>(*window_).model().empty());
     const auto run = window_->controller().finishedRun();
-    QTest::mouseClick(window_->filterList().rows()[0]->previewButton(), Qt::LeftButton);
-    QTRY_VERIFY(window_->cells().previewing());
-    QCOMPARE(window_->cells().shownBlock()->report.cells.size(), std::size_t{4});
+    QTest::mouseClick(partOf<FilterList>(*window_).rows()[0]->previewButton(), Qt::LeftButton);
+    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().previewing());
+    QCOMPARE(partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size(), std::size_t{4});
     QVERIFY(window_->view().parts().cells);  // Cells were requested.
     QCOMPARE(window_->controller().finishedRun(), run);
-    QVERIFY(!window_->filterList().rows()[1]->previewButton());
+    QVERIFY(!partOf<FilterList>(*window_).rows()[1]->previewButton());
   }
 
   void aStrategyWithoutItsEndIsPreviewedByItself() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);  // refused, until there is a Collapse
-    QTRY_VERIFY(window_->cells().previewing());
-    const std::size_t cells = window_->cells().shownBlock()->report.cells.size();
+    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().previewing());
+    const std::size_t cells = partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size();
     window_->document().setValue(window_->document().filters()[1].id, 0, 7, 1);
-    QTRY_VERIFY(window_->cells().shownBlock()->report.cells.size() != cells);
-    QVERIFY(window_->cells().previewing());
+    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size() != cells);
+    QVERIFY(partOf<CellsFeature>(*window_).model().previewing());
     window_->document().undoStack()->undo();
     window_->document().undoStack()->undo();
-    QTRY_VERIFY(!window_->cells().previewing());
+    QTRY_VERIFY(!partOf<CellsFeature>(*window_).model().previewing());
   }
 
   void previewsDoNotBlockAndTheLastOneWins() {
@@ -381,7 +387,8 @@ class TestCellsInView : public QObject {
     tick.setInterval(5);
     connect(&tick, &QTimer::timeout, this, [&] { longest = std::max(longest, clock.restart()); });
     tick.start();
-    QTRY_VERIFY_WITH_TIMEOUT(window_->cells().previewing() && window_->cellWatch().upToDate(), 20000);
+    QTRY_VERIFY_WITH_TIMEOUT(partOf<CellsFeature>(*window_).model().previewing() && window_->cellWatch().upToDate(),
+                             20000);
     qInfo("60,552 triangles: the window answered after at most %lld ms", longest);
     QVERIFY(longest < 1500);  // far above what it takes: a busy machine is no failure
   }
@@ -445,11 +452,11 @@ class TestCellsInView : public QObject {
     QVERIFY(showWindow(second));
     second.open(path);
     QVERIFY(QTest::qWaitFor([&] { return second.controller().finishedRun() != nullptr; }, 20000));
-    const CellsShown shown = second.cellsFeature().shown();
+    const CellsShown shown = partOf<CellsFeature>(second).shown();
     QVERIFY(shown.inView && shown.load);
     QVERIFY(shown.colouring == CellColouring::Time);
     QVERIFY(second.view().parts().cells);
-    QVERIFY(second.loadPanel().isVisible());
+    QVERIFY(partOf<LoadPanel>(second).isVisible());
 
     const QByteArray wrong = readFile(path).replace("\"time\"", "\"mood\"");
     bool refused = false;
@@ -466,9 +473,9 @@ class TestCellsInView : public QObject {
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->openWith(writeFile(folder_, "floor.obj", floorObj()), parsePipeline("SlopeFilter 45\n", "test"), {});
     QVERIFY(QTest::qWaitFor([&] { return window_->controller().upToDate(); }, 20000));
-    QTRY_VERIFY(window_->cells().empty());
-    QVERIFY(window_->loadPanel().showsEmptyState());
-    QVERIFY(window_->loadPanel().parallelButton()->isVisible());
+    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().empty());
+    QVERIFY(partOf<LoadPanel>(*window_).showsEmptyState());
+    QVERIFY(partOf<LoadPanel>(*window_).parallelButton()->isVisible());
   }
 
   void overlaysDoNotMeet_data() {
@@ -482,9 +489,9 @@ class TestCellsInView : public QObject {
     QVERIFY(openGrid());
     window_->setCellsShown({true, true, CellColouring::Time});
     QTRY_VERIFY(window_->cellWatch().upToDate());
-    const QRect cells = window_->cellLegend().geometry();
+    const QRect cells = partOf<CellLegend>(*window_).geometry();
     QVERIFY(window_->view().rect().contains(cells));
-    QVERIFY(!cells.intersects(window_->heightSlider().geometry()));
+    QVERIFY(!cells.intersects(partOf<HeightSlider>(*window_).geometry()));
     const auto* legend = window_->findChild<Legend*>();
     QVERIFY(!legend->isVisible() || !cells.intersects(legend->geometry()));
   }

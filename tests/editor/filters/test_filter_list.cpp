@@ -5,6 +5,10 @@
 
 #include "footfall/filter.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/filters/filter_list.hpp"
+#include "ui/level/import_panel.hpp"
 #include "ui/run/stale_badge.hpp"
 
 using namespace footfall;
@@ -136,14 +140,14 @@ class TestFilterList : public QObject {
     click(0);
     key(Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(names().size(), 4);
-    QVERIFY2(window_->messageBar().text().startsWith("clipboard:2:3: unknown filter \"ClearanceFilter\""),
-             qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().startsWith("clipboard:2:3: unknown filter \"ClearanceFilter\""),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QApplication::clipboard()->setText("just words");
     key(Qt::Key_V, Qt::ControlModifier);
-    QVERIFY(window_->messageBar().text().startsWith("clipboard:1:1:"));
+    QVERIFY(partOf<MessageBar>(*window_).text().startsWith("clipboard:1:1:"));
     QApplication::clipboard()->setText("# nothing\n");
     key(Qt::Key_V, Qt::ControlModifier);
-    QVERIFY(window_->messageBar().text().contains("holds no filters"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("holds no filters"));
   }
 
   void aFieldKeepsItsOwnClipboard() {
@@ -220,12 +224,12 @@ class TestFilterList : public QObject {
 
   void rowsShowWhereTheTimeGoes() {
     double sum = 0;
-    for (FilterRow* each : window_->filterList().rows()) {
+    for (FilterRow* each : partOf<FilterList>(*window_).rows()) {
       QVERIFY(each->shareBar().share().has_value());
       sum += *each->shareBar().share();
     }
     QVERIFY(std::abs(sum - 1) < 1e-9);
-    const TimeStrip& strip = window_->filterList().timeStrip();
+    const TimeStrip& strip = partOf<FilterList>(*window_).timeStrip();
     QVERIFY(strip.isVisible());
     QVERIFY2(strip.text().contains(" ms: ") && strip.text().contains(" %"), qPrintable(strip.text()));
     row(0)->enabledBox()->click();
@@ -285,7 +289,7 @@ class TestFilterList : public QObject {
   void byHandTheViewSaysThatItIsOld() {
     auto* badge = window_->view().findChild<StaleBadge*>();
     QVERIFY(badge && !badge->isVisible());
-    QTest::mouseClick(window_->filterList().automaticBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTest::mouseClick(partOf<FilterList>(*window_).automaticBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
     QVERIFY(!window_->controller().automatic());
     QVERIFY(!window_->commands().find("pipeline.automatic")->isChecked());
     const QSignalSpy started(&window_->controller(), &RunController::started);
@@ -308,11 +312,11 @@ class TestFilterList : public QObject {
     window_->commands().find("pipeline.automatic")->trigger();
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
-    QVERIFY(window_->filterList().automaticBox()->isChecked());
+    QVERIFY(partOf<FilterList>(*window_).automaticBox()->isChecked());
   }
 
   void sessionsKeepWhetherItRunsByItself() {
-    window_->filterList().automaticBox()->click();
+    partOf<FilterList>(*window_).automaticBox()->click();
     const QString path = folder_->filePath("a.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(path);
@@ -358,7 +362,7 @@ class TestFilterList : public QObject {
   }
 
   void unitsFollowTheScale() {
-    auto* scale = window_->importPanel().scaleField();
+    auto* scale = partOf<ImportPanel>(*window_).scaleField();
     QCOMPARE(row(1)->unitOf(0), QString("degrees"));
     QCOMPARE(row(2)->unitOf(0), QString("units"));
     scale->setFocus();
@@ -371,7 +375,7 @@ class TestFilterList : public QObject {
   }
 
  private:
-  FilterRow* row(int index) { return window_->filterList().rows()[static_cast<std::size_t>(index)]; }
+  FilterRow* row(int index) { return partOf<FilterList>(*window_).rows()[static_cast<std::size_t>(index)]; }
   void click(int index, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
     QTest::mouseClick(row(index), Qt::LeftButton, modifiers, QPoint(row(index)->width() / 2, 3));
   }
@@ -397,8 +401,8 @@ class TestFilterList : public QObject {
   QString undoText() { return window_->document().undoStack()->undoText(); }
   QList<int> selected() {
     QList<int> indices;
-    for (std::size_t i = 0; i < window_->filterList().rows().size(); ++i) {
-      if (window_->filterList().selection().contains(window_->filterList().rows()[i]->entryId()))
+    for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
+      if (partOf<FilterList>(*window_).selection().contains(partOf<FilterList>(*window_).rows()[i]->entryId()))
         indices << static_cast<int>(i);
     }
     return indices;

@@ -3,6 +3,9 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/filters/filter_list.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -129,7 +132,7 @@ class TestFilterRows : public QObject {
     key(Qt::Key_Space);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
-    QVERIFY(window_->messageBar().text().isEmpty());
+    QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
     QCOMPARE(row(2)->stateText(), QString("skipped"));
     QCOMPARE(row(2)->errorText(), QString("needs Vertical clearance"));
     QVERIFY(row(2)->mendButton()->isVisible());
@@ -161,7 +164,7 @@ class TestFilterRows : public QObject {
   }
 
  private:
-  FilterRow* row(int index) { return window_->filterList().rows()[static_cast<std::size_t>(index)]; }
+  FilterRow* row(int index) { return partOf<FilterList>(*window_).rows()[static_cast<std::size_t>(index)]; }
   void click(int index) { QTest::mouseClick(row(index)->nameLabel(), Qt::LeftButton); }
   void key(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
   void undo() { window_->document().undoStack()->undo(); }
@@ -179,7 +182,7 @@ class TestFilterRows : public QObject {
     QCOMPARE(row(2)->figuresText(), figures);
   }
   QMenu* addMenu() {
-    QMenu* menu = window_->filterList().addButton()->menu();
+    QMenu* menu = partOf<FilterList>(*window_).addButton()->menu();
     emit menu->aboutToShow();
     return menu;
   }
@@ -192,8 +195,8 @@ class TestFilterRows : public QObject {
   QString undoText() { return window_->document().undoStack()->undoText(); }
   QList<int> selected() {
     QList<int> indices;
-    for (std::size_t i = 0; i < window_->filterList().rows().size(); ++i) {
-      if (window_->filterList().selection().contains(window_->filterList().rows()[i]->entryId()))
+    for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
+      if (partOf<FilterList>(*window_).selection().contains(partOf<FilterList>(*window_).rows()[i]->entryId()))
         indices << static_cast<int>(i);
     }
     return indices;

@@ -5,6 +5,8 @@
 
 #include "core/base/vector.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/filters/parameter_handles.hpp"
 
 using namespace footfall;
@@ -163,7 +165,7 @@ class TestParameterHandles : public QObject {
   }
 
   void theMouseOnAValueShowsIt() {
-    FilterRow* row = window_->filterList().rows()[Radius];
+    FilterRow* row = partOf<FilterList>(*window_).rows()[Radius];
     QEnterEvent enter({5, 5}, {5, 5}, {5, 5});
     QApplication::sendEvent(row->field(0), &enter);
     QCOMPARE(handles_->measures().size(), std::size_t{1});
@@ -204,7 +206,7 @@ class TestParameterHandles : public QObject {
   int id(Row row) { return window_->document().filters()[row].id; }
   double value(Row row, std::size_t parameter = 0) { return window_->document().filters()[row].step.values[parameter]; }
   void choose(Row row) {
-    window_->filterList().choose({id(row)});
+    partOf<FilterList>(*window_).choose({id(row)});
     if (row != Area) QTRY_VERIFY(!handles_->measures().empty());  // the camera may have moved just before
   }
   void press(const Vec3& place) {

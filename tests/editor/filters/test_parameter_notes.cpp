@@ -1,6 +1,8 @@
 // Hints about filters that do not suit the level.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;
@@ -44,17 +46,17 @@ class TestParameterNotes : public QObject {
                     "SlopeFilter 45\nVerticalClearanceFilter 0.85\nStepFilter 0.245\n"));
     const QString expected =
         "Steps: most risers here are 0.25 high, a little more than the step, and are not climbed; give 0.26";
-    QTRY_COMPARE(window.messageBar().text(), expected);
+    QTRY_COMPARE(partOf<MessageBar>(window).text(), expected);
     const int id = window.document().filters()[2].id;
     window.document().setValue(id, 0, 0.26, 1);
     QVERIFY(waitUntilIdle(window));
-    QTRY_COMPARE(window.messageBar().text(), QString());
+    QTRY_COMPARE(partOf<MessageBar>(window).text(), QString());
     window.document().undoStack()->undo();
-    QTRY_COMPARE(window.messageBar().text(), expected);
+    QTRY_COMPARE(partOf<MessageBar>(window).text(), expected);
     window.document().setValue(window.document().filters()[0].id, 0, 40, 2);  // reported once
     QVERIFY(waitUntilIdle(window));
     QTest::qWait(100);
-    QCOMPARE(window.messageBar().text(), QString());
+    QCOMPARE(partOf<MessageBar>(window).text(), QString());
   }
 };
 

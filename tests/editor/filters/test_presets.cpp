@@ -3,6 +3,9 @@
 #include <QInputDialog>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/filters/filter_list.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;
@@ -58,9 +61,9 @@ class TestPresets : public QObject {
 
     submenu("deletePreset")->actions()[0]->trigger();
     QVERIFY(PresetStore(settingsFolder()).names().isEmpty());
-    QVERIFY2(window_->messageBar().text().contains("Others"), qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("Others"), qPrintable(partOf<MessageBar>(*window_).text()));
     // Taken back.
-    for (QPushButton* button : window_->messageBar().findChildren<QPushButton*>()) {
+    for (QPushButton* button : partOf<MessageBar>(*window_).findChildren<QPushButton*>()) {
       if (button->text() == "Undo") QTest::mouseClick(button, Qt::LeftButton);
     }
     QCOMPARE(PresetStore(settingsFolder()).names(), QStringList{"Others"});
@@ -70,7 +73,7 @@ class TestPresets : public QObject {
   void namesThatAreNoFilesAreRefused() {
     presets().saveAs();
     answerName("a/b");
-    QTRY_VERIFY2(window_->messageBar().text().contains("'/'"), qPrintable(window_->messageBar().text()));
+    QTRY_VERIFY2(partOf<MessageBar>(*window_).text().contains("'/'"), qPrintable(partOf<MessageBar>(*window_).text()));
     for (const char* bad : {"", " x", ".hidden", "a\\b", "a\nb"}) QVERIFY2(!PresetStore::problemOf(bad).isEmpty(), bad);
     for (const char* good : {"a", "Größe 2.5", "thesis (5.4)"}) QVERIFY2(PresetStore::problemOf(good).isEmpty(), good);
   }
@@ -82,8 +85,8 @@ class TestPresets : public QObject {
     file.write("SlopeFilter 45\nNoFilter\n");
     file.close();
     choose("Broken");
-    QVERIFY2(window_->messageBar().text().contains("Broken.pipeline:2:1: unknown filter"),
-             qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("Broken.pipeline:2:1: unknown filter"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(filterNames(*window_).size(), 2);
     const PresetStore store(settingsFolder());
     store.save("Good", window_->document().pipeline());
@@ -96,7 +99,7 @@ class TestPresets : public QObject {
   static QString settingsFolder() {
     return QStandardPaths::writableLocation(QStandardPaths::AppConfigLocation) + "/presets";
   }
-  PresetsMenu& presets() { return *window_->filterList().presets(); }
+  PresetsMenu& presets() { return *partOf<FilterList>(*window_).presets(); }
   void choose(const QString& name) {
     emit presets().aboutToShow();
     for (QAction* action : presets().actions()) {

@@ -7,6 +7,8 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/filters/seed_edits.hpp"
 #include "ui/filters/seed_feature.hpp"
 #include "ui/view/legend.hpp"
@@ -164,7 +166,7 @@ class TestSeeds : public QObject {
     QTRY_VERIFY(isMarked());
     window_->view().setTool(nullptr);
     QVERIFY(isMarked());
-    window_->filterList().choose({window_->document().filters()[0].id});
+    partOf<FilterList>(*window_).choose({window_->document().filters()[0].id});
     QTRY_VERIFY(!isMarked());
   }
 
@@ -234,7 +236,7 @@ class TestSeeds : public QObject {
   }
   [[nodiscard]] FilterRow* row() const {
     const int id = filterOfSeeds(window_->document());
-    for (FilterRow* row : window_->filterList().rows())
+    for (FilterRow* row : partOf<FilterList>(*window_).rows())
       if (row->entryId() == id) return row;
     return nullptr;
   }

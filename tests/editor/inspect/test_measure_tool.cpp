@@ -7,7 +7,9 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/inspect/measure_panel.hpp"
+#include "ui/level/import_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -58,7 +60,7 @@ class TestMeasureTool : public QObject {
     QTRY_VERIFY((dialog = window_->findChild<QInputDialog*>("scaleByReference")) != nullptr);
     dialog->setDoubleValue(2);
     dialog->accept();
-    QTRY_COMPARE_WITH_TIMEOUT(window_->importPanel().scaleField()->value(), 0.5, kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(partOf<ImportPanel>(*window_).scaleField()->value(), 0.5, kWaitMs);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->document().state().import.metresPerUnit.value(), 0.5);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);

@@ -7,7 +7,10 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/inspect/compare_feature.hpp"
+#include "ui/view/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -132,7 +135,7 @@ class TestCompare : public QObject {
 
   void whatIsNoResultIsSaid() {
     feature_->openSaved(writeFile(*folder_, "bad.obj", "v 0 0\n"));
-    QTRY_VERIFY(window_->messageBar().text().contains("bad.obj"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("bad.obj"));
     QCOMPARE(feature_->watch().with(), CompareWith::Nothing);
     QCOMPARE(feature_->panel().choiceBox()->currentIndex(), int(ComparePanel::Nothing));
   }
@@ -149,7 +152,7 @@ class TestCompare : public QObject {
  private:
   [[nodiscard]] const SurfaceDifference& difference() const { return *feature_->watch().difference(); }
   [[nodiscard]] QString legend() const {
-    auto* notes = window_->legend().findChild<QLabel*>("legendNotes");
+    auto* notes = partOf<Legend>(*window_).findChild<QLabel*>("legendNotes");
     return notes->isHidden() ? QString() : notes->text();
   }
   [[nodiscard]] int clearanceId() const {

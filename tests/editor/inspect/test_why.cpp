@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 
 using namespace footfall;
@@ -155,7 +157,7 @@ class TestWhy : public QObject {
     QTest::keyClick(panel().filterButton(), Qt::Key_Space);
     auto* field = qobject_cast<NumberField*>(window_->focusWidget());
     QVERIFY(field != nullptr);
-    QCOMPARE(field, window_->filterList().rows()[2]->field(0));
+    QCOMPARE(field, partOf<FilterList>(*window_).rows()[2]->field(0));
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, QStringLiteral("1.75"));
     QTest::keyClick(field, Qt::Key_Return);

@@ -6,8 +6,11 @@
 #include <QTreeWidget>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "tests/unit/ifc_stand_in.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/level/environment_tools.hpp"
+#include "ui/level/import_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -132,12 +135,12 @@ class TestEnvironmentPanel : public QObject {
   }
 
   void everythingIgnoredAndBack() {
-    window_->messageBar().clear();  // the note that the level is small
+    partOf<MessageBar>(*window_).clear();  // the note that the level is small
     tree().selectAll();
     QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 0.0);
     QVERIFY(window_->level()->triangles.empty());
-    QVERIFY(window_->messageBar().text().isEmpty());
+    QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(area(), 64.0);
   }
@@ -210,7 +213,7 @@ class TestEnvironmentPanel : public QObject {
     select("table");
     QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 64.0);
-    QTest::mouseClick(window_->importPanel().bothSidesBox(), Qt::LeftButton);
+    QTest::mouseClick(partOf<ImportPanel>(*window_).bothSidesBox(), Qt::LeftButton);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->level()->triangles.size(), std::size_t{2});
     QTRY_COMPARE(window_->view().environmentGeometry()->surface.size(), std::size_t{6});
@@ -218,7 +221,7 @@ class TestEnvironmentPanel : public QObject {
 
   void coordinatesArePutOnAGrid() {
     QCOMPARE(window_->environment()->grid.step, 0.0);
-    QComboBox& grid = *window_->importPanel().gridBox();
+    QComboBox& grid = *partOf<ImportPanel>(*window_).gridBox();
     grid.setCurrentIndex(1);
     emit grid.activated(1);
     QTRY_VERIFY(window_->environment()->grid.step > 0);

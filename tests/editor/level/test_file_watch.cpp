@@ -6,7 +6,10 @@
 
 #include "footfall/edit.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/level/environment_tools.hpp"
+#include "ui/level/import_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -79,7 +82,7 @@ class TestFileWatch : public QObject {
     const auto before = window_->level();
     writeFile(*folder_, "level.obj", boardObj(3));
     QTRY_COMPARE(done_->count(), 1);
-    QCOMPARE(window_->messageBar().text(), QString("level.obj changed on disk; read again"));
+    QCOMPARE(partOf<MessageBar>(*window_).text(), QString("level.obj changed on disk; read again"));
     QCOMPARE(area(), 55.0);
     QVERIFY(window_->level()->edit && window_->level()->edit->base.lock() == before);  // computed as a change
     QCOMPARE(window_->document().state().partRules.size(), std::size_t{1});
@@ -116,7 +119,7 @@ class TestFileWatch : public QObject {
     QSignalSpy failed(&window_->file(), &LevelFile::rereadFailed);
     QVERIFY(file.write(whole.left(13)) > 0 && file.flush());  // ends inside a vertex
     QTRY_VERIFY(failed.count() >= 1);
-    QVERIFY(window_->messageBar().text().isEmpty());
+    QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
     QVERIFY(file.write(whole.mid(13)) > 0);
     file.close();
     QTRY_COMPARE(done_->count(), 1);
@@ -126,8 +129,8 @@ class TestFileWatch : public QObject {
   void brokenFilesAreToldAndTheResultStays() {
     const auto run = window_->controller().finishedRun();
     writeFile(*folder_, "level.obj", "v 0 0 zero\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->messageBar().text().isEmpty(), 10000);
-    const QString text = window_->messageBar().text();
+    QTRY_VERIFY_WITH_TIMEOUT(!partOf<MessageBar>(*window_).text().isEmpty(), 10000);
+    const QString text = partOf<MessageBar>(*window_).text();
     QVERIFY2(text.contains("level.obj changed on disk, but") && text.contains("level.obj:1"), qPrintable(text));
     QCOMPARE(window_->controller().finishedRun(), run);
     QCOMPARE(window_->environment()->triangles.size(), std::size_t{14});
@@ -138,7 +141,7 @@ class TestFileWatch : public QObject {
 
   void filesThatVanishAndComeBack() {
     QVERIFY(QFile::remove(path_));
-    QTRY_VERIFY(window_->messageBar().text().startsWith("level.obj was deleted"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().startsWith("level.obj was deleted"));
     QCOMPARE(freeFloor(), 60.0);
     QCOMPARE(done_->count(), 0);
     writeFile(*folder_, "level.obj", boardObj(3));
@@ -147,7 +150,7 @@ class TestFileWatch : public QObject {
   }
 
   void switchedOffAndOn() {
-    QCheckBox* box = window_->importPanel().watchBox();
+    QCheckBox* box = partOf<ImportPanel>(*window_).watchBox();
     QVERIFY(box->isChecked());
     QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, {8, box->height() / 2});
     QVERIFY(!box->isChecked() && !QSettings().value("watchFile").toBool());

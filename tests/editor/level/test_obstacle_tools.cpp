@@ -5,7 +5,9 @@
 #include <string>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "tests/support/run_filters.hpp"
+#include "ui/level/import_panel.hpp"
 #include "ui/level/obstacle_features.hpp"
 
 using namespace footfall;
@@ -331,7 +333,7 @@ class TestObstacleTools : public QObject {
     QVERIFY(seen);
     QCOMPARE(window_->composer().obstacleOf(seen->triangle), std::optional<std::uint32_t>(obstacles[0].id));
     // The obstacles stay when the file is read again.
-    window_->importPanel().bothSidesBox()->click();
+    partOf<ImportPanel>(*window_).bothSidesBox()->click();
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(view().environmentGeometry()->surface.size(), 3 * window_->level()->triangles.size());
   }

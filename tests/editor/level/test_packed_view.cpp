@@ -7,7 +7,10 @@
 #include "core/io/import.hpp"
 #include "core/io/packed/pack.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "tests/unit/first_packed_version.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/base/status_line.hpp"
 #include "ui/level/packed_feature.hpp"
 
 using namespace footfall;
@@ -75,7 +78,7 @@ class TestPackedView : public QObject {
     QCOMPARE(source,
              QString("city.obj (a part: %1 of %2 triangles)").arg(level->triangles.size()).arg(packed_->faceCount()));
     QVERIFY(window_->controller().finishedRun());
-    QVERIFY(window_->messageBar().text().contains("city.ffenv has 0.201 million triangles"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("city.ffenv has 0.201 million triangles"));
     // The picture is complete, and nothing is in it twice.
     const BackdropPtr backdrop = window_->view().backdrop();
     const PackedPart& part = *window_->file().loaded().part;
@@ -229,9 +232,9 @@ class TestPackedView : public QObject {
     QCOMPARE(window_->file().path(), bad);
     const Box box = packed_->boxOf(corner);
     window_->view().cameraController().frame(pointOf(box.lower), pointOf(box.upper));
-    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("is damaged"); }, kWaitMs));
+    QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).text().contains("is damaged"); }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY2(window_->controller().finishedRun(), qPrintable(window_->messageBar().text()));
+    QVERIFY2(window_->controller().finishedRun(), qPrintable(partOf<MessageBar>(*window_).text()));
   }
 
   void filesOfTheFirstVersionAreBoxes() {
@@ -263,7 +266,7 @@ class TestPackedView : public QObject {
     obj += "f -4 -3 -1 -2\n";
     const QString changed = writeFile(folder_, "changed.obj", obj);
     packEnvironment(changed.toStdString(), file.toStdString(), {}, nullptr);
-    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("read again"); }, kWaitMs));
+    QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).text().contains("read again"); }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->file().loaded().part->place == place);
     QCOMPARE(window_->environment()->triangles.size(), before->triangles.size() + 2);
@@ -279,7 +282,7 @@ class TestPackedView : public QObject {
     const Vec3 centre = window_->view().environmentGeometry()->centre;
     const auto coarse = window_->view().backdrop()->coarse;
     packWith("farther.ffenv", "v 5000 0 0\nv 5010 0 0\nv 5000 0 -10\nf -3 -2 -1\n");
-    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().text().contains("read again"); }, kWaitMs));
+    QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).text().contains("read again"); }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     const auto geometry = window_->view().environmentGeometry();
     QVERIFY(geometry->centre == centre && geometry->lower == lower);
@@ -291,14 +294,14 @@ class TestPackedView : public QObject {
 
   void aFileThatGrowsBecomesAPart() {
     openCopy("grows.ffenv", {.whole = packed_->faceCount(), .part = 20'000, .shown = 60'000});
-    QVERIFY(!window_->view().backdrop() && window_->messageBar().text().isEmpty());
+    QVERIFY(!window_->view().backdrop() && partOf<MessageBar>(*window_).text().isEmpty());
     packWith("grows.ffenv", "v 0 0 0\nv 10 0 0\nv 0 0 -10\nf -3 -2 -1\n");
     QVERIFY(QTest::qWaitFor([&] { return window_->file().loaded().part != nullptr; }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->view().backdrop());
     QVERIFY(window_->commands().find("pipeline.runHere")->isEnabled());
-    QVERIFY2(window_->messageBar().text().contains("grows.ffenv has 0.201 million triangles"),
-             qPrintable(window_->messageBar().text()));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("grows.ffenv has 0.201 million triangles"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(window_->level()->triangles.size(), window_->environment()->triangles.size());
     QVERIFY(window_->view().environmentGeometry()->whole);
     shoot(*window_, "packed-grown");
@@ -428,7 +431,7 @@ class TestPackedView : public QObject {
     const QString changed = writeFile(folder_, "changed.obj", readFile(folder_.filePath("city.obj")) + more);
     packEnvironment(changed.toStdString(), folder_.filePath(name).toStdString(), {}, nullptr);
   }
-  [[nodiscard]] QString said() const { return window_->statusLine().text(); }
+  [[nodiscard]] QString said() const { return partOf<StatusLine>(*window_).text(); }
 
   /// The block farthest from the part, among those that are no larger than others.
   [[nodiscard]] std::size_t farthestBlock() const {

@@ -6,9 +6,12 @@
 
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/localized_numbers.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
+#include "ui/level/import_panel.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/path/path_feature.hpp"
 #include "ui/view/camera_tools.hpp"
@@ -132,7 +135,7 @@ class TestUnits : public QObject {
 
   void oneClickConfirmsAGuess() {
     QVERIFY(open(floorObj(UpAxis::Z), UpAxis::Z, 0));
-    ImportPanel& panel = window_->importPanel();
+    ImportPanel& panel = partOf<ImportPanel>(*window_);
     QCOMPARE(field()->text(), QString("2"));
     QCOMPARE(rowOfClearance()->unitOf(0), QString("units"));
     QVERIFY(figures().contains("units"));
@@ -195,7 +198,7 @@ class TestUnits : public QObject {
     // A change of a known scale converts lengths as well; after a change of a guess, only defaults follow.
     ImportOptions centimetres = window_->document().state().import;
     centimetres.metresPerUnit = 0.01;
-    emit window_->importPanel().optionsEdited(centimetres);
+    emit partOf<ImportPanel>(*window_).optionsEdited(centimetres);
     QCOMPARE(window_->document().filters()[1].step.values[0], 254.0);
   }
 
@@ -206,12 +209,12 @@ class TestUnits : public QObject {
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->environment() && !window_->environment()->scaleGuessed);
     QCOMPARE(rowOfClearance()->unitOf(0), QString("m"));
-    QVERIFY(!window_->importPanel().yesButton()->isVisible());
+    QVERIFY(!partOf<ImportPanel>(*window_).yesButton()->isVisible());
   }
 
   void sessionsKeepUnitAndScale() {
     QVERIFY(open(floorObj(UpAxis::Z), UpAxis::Z, 0));
-    QTest::mouseClick(window_->importPanel().yesButton(), Qt::LeftButton);
+    QTest::mouseClick(partOf<ImportPanel>(*window_).yesButton(), Qt::LeftButton);
     window_->units().useForSession(LengthUnit::Feet);
     const QString path = folder_->filePath("level.footfall");
     window_->saveSession(path);
@@ -270,7 +273,7 @@ class TestUnits : public QObject {
     for (int x = 4; x <= 40; x += 4) QTest::mouseMove(name, at + QPoint(x, 0));
     QTest::mouseRelease(name, Qt::LeftButton, {}, at + QPoint(40, 0));
     QCOMPARE(window_->document().filters()[1].step.values[0], 3.0);
-    QVERIFY(window_->filterList().selection().contains(rowOfClearance()->entryId()));
+    QVERIFY(partOf<FilterList>(*window_).selection().contains(rowOfClearance()->entryId()));
   }
 
   void longNumbersShowTheirBeginning() {
@@ -302,9 +305,9 @@ class TestUnits : public QObject {
     QTest::mouseMove(&window_->view(), at);
     QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at);
   }
-  FilterRow* rowOfClearance() { return window_->filterList().rows()[1]; }
+  FilterRow* rowOfClearance() { return partOf<FilterList>(*window_).rows()[1]; }
   NumberField* field() {
-    if (!rowOfClearance()->isOpen()) window_->filterList().choose({rowOfClearance()->entryId()});
+    if (!rowOfClearance()->isOpen()) partOf<FilterList>(*window_).choose({rowOfClearance()->entryId()});
     return qobject_cast<NumberField*>(rowOfClearance()->field(0));
   }
   QString figures() { return window_->findChild<QLabel*>("environmentFigures")->text(); }

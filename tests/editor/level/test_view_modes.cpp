@@ -5,7 +5,9 @@
 
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/level/level_look.hpp"
+#include "ui/view/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -104,7 +106,7 @@ class TestViewModes : public QObject {
     show(ViewMode::Slope);
     QVERIFY(near(colourAt({2.2, 1, 0}), heatColour(1), 30));                // level
     QVERIFY(near(brightestAt({5.6, 0.5, 1.04}), heatColour(1.0 / 3), 45));  // 60 degrees of 90
-    auto* scale = window_->legend().findChild<QLabel*>("modeScale");
+    auto* scale = partOf<Legend>(*window_).findChild<QLabel*>("modeScale");
     QVERIFY(scale->isVisible());
     QCOMPARE(scale->accessibleName(), QString("Slope, limit 45"));
     // The limit follows the filter.
@@ -124,7 +126,7 @@ class TestViewModes : public QObject {
     window_->view().cameraController().setPose(low);
     QVERIFY(near(brightestAt({0, -0.4, 0}), heatColour(0.25), 45));
     QVERIFY(near(brightestAt({0, -2.5, 0}), heatColour(1), 45));
-    QCOMPARE(window_->legend().findChild<QLabel*>("modeScale")->accessibleName(), QString("Clearance, limit 2"));
+    QCOMPARE(partOf<Legend>(*window_).findChild<QLabel*>("modeScale")->accessibleName(), QString("Clearance, limit 2"));
   }
 
   void sourceTrianglesAreToldApart() {

@@ -11,7 +11,12 @@
 
 #include "footfall/errors.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/base/translations.hpp"
+#include "ui/cells/cell_legend.hpp"
+#include "ui/cells/cells_feature.hpp"
+#include "ui/cells/load_panel.hpp"
 #include "ui/cells/run_place_dialog.hpp"
 #include "ui/run/run_places.hpp"
 
@@ -153,7 +158,7 @@ class TestRunPlaces : public QObject {
       EditorWindow window;
       QVERIFY(showWindow(window));
       QVERIFY(openZUp(window, level, kPipeline));
-      QVERIFY(failsAfter(window, [&] { window.runPlaces().choose(far); }));
+      QVERIFY(failsAfter(window, [&] { partOf<CellsFeature>(window).places().choose(far); }));
       window.saveSession(session);
       QVERIFY(waitUntilIdle(window));
     }
@@ -163,22 +168,23 @@ class TestRunPlaces : public QObject {
     QVERIFY(showWindow(window));
     window.open(session);
     QVERIFY(waitUntilIdle(window) && window.controller().upToDate());
-    QVERIFY(window.runPlaces().chosen() == RunPlace());
-    QVERIFY(window.runPlaces().suggested() == far);
+    QVERIFY(partOf<CellsFeature>(window).places().chosen() == RunPlace());
+    QVERIFY(partOf<CellsFeature>(window).places().suggested() == far);
     QCOMPARE(runsStarted(folder), 1);
 
     // Another level has nothing to do with it.
     QVERIFY(openZUp(window, level, kPipeline));
-    QVERIFY(!window.runPlaces().suggested());
-    QCOMPARE(window.runPlaces().save(), RunPlaces().save());
+    QVERIFY(!partOf<CellsFeature>(window).places().suggested());
+    QCOMPARE(partOf<CellsFeature>(window).places().save(), RunPlaces().save());
 
     window.open(session);
-    QVERIFY(waitUntilIdle(window) && window.runPlaces().suggested() == far);
-    const QList<QPushButton*> buttons = window.messageBar().findChildren<QPushButton*>();
+    QVERIFY(waitUntilIdle(window) && partOf<CellsFeature>(window).places().suggested() == far);
+    const QList<QPushButton*> buttons = partOf<MessageBar>(window).findChildren<QPushButton*>();
     const auto again = std::ranges::find(buttons, QString("Run there again"), &QPushButton::text);
     QVERIFY(again != buttons.end() && (*again)->isVisible());
     QVERIFY(failsAfter(window, [&] { QTest::mouseClick(*again, Qt::LeftButton); }));
-    QVERIFY(window.runPlaces().chosen() == far && !window.runPlaces().suggested());
+    QVERIFY(partOf<CellsFeature>(window).places().chosen() == far &&
+            !partOf<CellsFeature>(window).places().suggested());
     QCOMPARE(runsStarted(folder), 2);
   }
 
@@ -192,7 +198,7 @@ class TestRunPlaces : public QObject {
     window.setRemembering(false);
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "second.obj", wavesObj(11)), kPipeline));
-    QVERIFY(failsAfter(window, [&] { window.runPlaces().choose(processes(2)); }));
+    QVERIFY(failsAfter(window, [&] { partOf<CellsFeature>(window).places().choose(processes(2)); }));
     window.saveSession(session);
     QVERIFY(waitUntilIdle(window));
     QCOMPARE(runsStarted(folder), 1);
@@ -201,7 +207,7 @@ class TestRunPlaces : public QObject {
     int ofBefore = 0;
     const auto look = [&] { ofBefore += window.controller().busy() && window.controller().environment() == before; };
     connect(&window.document(), &Document::filtersChanged, &window, look);
-    connect(&window.runPlaces(), &RunPlaces::changed, &window, look);
+    connect(&partOf<CellsFeature>(window).places(), &RunPlaces::changed, &window, look);
     before = window.level();
     QVERIFY(failsAfter(window, [&] {
       ImportOptions import;
@@ -210,11 +216,11 @@ class TestRunPlaces : public QObject {
     }));
     QCOMPARE(runsStarted(folder), 2);
     before = nullptr;
-    window.runPlaces().choose({});
+    partOf<CellsFeature>(window).places().choose({});
     QVERIFY(waitUntilIdle(window) && window.controller().upToDate());
     before = window.level();
     QVERIFY(failsAfter(window, [&] { window.open(session); }));
-    QVERIFY(window.runPlaces().chosen() == processes(2));
+    QVERIFY(partOf<CellsFeature>(window).places().chosen() == processes(2));
     QCOMPARE(runsStarted(folder), 3);
     QCOMPARE(ofBefore, 0);
   }
@@ -242,14 +248,14 @@ class TestRunPlaces : public QObject {
 
   void menuAndPanelShowTheChoice() {
     EditorWindow window;
-    auto* box = window.loadPanel().findChild<QComboBox*>("runOn");
+    auto* box = partOf<LoadPanel>(window).findChild<QComboBox*>("runOn");
     QVERIFY(box);
     QCOMPARE(box->currentText(), QString("This program"));
-    window.runPlaces().choose(processes(3));
+    partOf<CellsFeature>(window).places().choose(processes(3));
     QCOMPARE(box->currentText(), placeText(processes(3)));
     QVERIFY(window.commands().find("pipeline.runOn.processes")->isChecked());
     emit box->activated(0);
-    QVERIFY(window.runPlaces().chosen() == RunPlace());
+    QVERIFY(partOf<CellsFeature>(window).places().chosen() == RunPlace());
     QVERIFY(window.commands().find("pipeline.runOn.this_program")->isChecked());
   }
 
@@ -276,7 +282,7 @@ class TestRunPlaces : public QObject {
     QCOMPARE(answer("slurm", false), (QStringList{"processes", "processes"}));
     window.commands().find("pipeline.runOn.this_program")->trigger();
     QCOMPARE(checkedPlaces(window), QStringList{"this_program"});
-    QVERIFY(window.runPlaces().chosen() == RunPlace());
+    QVERIFY(partOf<CellsFeature>(window).places().chosen() == RunPlace());
   }
 
   // A run by mpirun, if installed: the same bytes, and cells by rank.
@@ -291,17 +297,17 @@ class TestRunPlaces : public QObject {
     const QByteArray all = exported(window, folder);
     for (const char* shown : {"view.cells", "view.load"}) window.commands().find(shown)->trigger();
     QSignalSpy finished(&window.controller(), &RunController::finished);
-    window.runPlaces().choose(processes(2));
+    partOf<CellsFeature>(window).places().choose(processes(2));
     QVERIFY(QTest::qWaitFor([&] { return finished.count() > 0 && window.idle(); }, 60000));
     const std::vector<int> threads = window.controller().finishedRun()->ranks.threads;
     QCOMPARE(threads.size(), std::size_t{2});
-    const CellBlock& block = *window.cells().shownBlock();
+    const CellBlock& block = *partOf<CellsFeature>(window).model().shownBlock();
     QVERIFY(block.complete());
     QCOMPARE(block.busyMsOfRanks().size(), std::size_t{2});
     for (const CellReport& cell : block.report.cells) QVERIFY(block.ranks.placeOf(cell.thread).rank >= 0);
-    QVERIFY(window.loadPanel().figuresText().contains("2 rank"));
-    QVERIFY(window.cells().describe({0, 0}).contains("rank"));
-    QCOMPARE(window.cellLegend().findChild<QComboBox*>()->itemText(0), QString("Colours: Rank"));
+    QVERIFY(partOf<LoadPanel>(window).figuresText().contains("2 rank"));
+    QVERIFY(partOf<CellsFeature>(window).model().describe({0, 0}).contains("rank"));
+    QCOMPARE(partOf<CellLegend>(window).findChild<QComboBox*>()->itemText(0), QString("Colours: Rank"));
     shoot(window, "run_on_processes");
     QCOMPARE(exported(window, folder), all);
     QVERIFY(jobsLeft().isEmpty());
@@ -311,7 +317,7 @@ class TestRunPlaces : public QObject {
     window.document().removeFilter(window.document().filters().back().id);
     QVERIFY(QTest::qWaitFor([&] { return again.count() > 0 && window.idle(); }, 60000));
     QCOMPARE(window.controller().finishedRun()->ranks.threads, std::vector<int>());
-    QCOMPARE(window.cells().shownBlock()->ranks.threads, threads);
+    QCOMPARE(partOf<CellsFeature>(window).model().shownBlock()->ranks.threads, threads);
   }
 
   void aFailureLeavesTheLastResult() {
@@ -322,7 +328,7 @@ class TestRunPlaces : public QObject {
     const auto before = window.controller().finishedRun();
     setMpirun(folder, "echo 'footfall-mpi: rank 1: memory ran out' >&2\nexit 1\n");
     QSignalSpy failed(&window.controller(), &RunController::failed);
-    window.runPlaces().choose(processes(2));
+    partOf<CellsFeature>(window).places().choose(processes(2));
     QVERIFY(QTest::qWaitFor([&] { return window.idle() && failed.count() > 0; }, 60000));
     QCOMPARE(failed.count(), 1);
     QVERIFY2(failed[0][0].toString().contains("rank 1: memory ran out"), qPrintable(failed[0][0].toString()));
@@ -330,7 +336,7 @@ class TestRunPlaces : public QObject {
     QVERIFY(!window.view().content().walkable.empty());
     QVERIFY(jobsLeft().isEmpty());
     QSignalSpy finished(&window.controller(), &RunController::finished);
-    window.runPlaces().choose({});
+    partOf<CellsFeature>(window).places().choose({});
     QVERIFY(QTest::qWaitFor([&] { return window.idle() && finished.count() > 0; }, 60000));
     QVERIFY(window.controller().upToDate());
   }
@@ -341,7 +347,7 @@ class TestRunPlaces : public QObject {
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(10)), kPipeline));
     setMpirun(folder, "echo $$ >'" + folder.filePath("pid").toUtf8() + "'\nexec sleep 60\n");
-    window.runPlaces().choose(processes(2));
+    partOf<CellsFeature>(window).places().choose(processes(2));
     QVERIFY(QTest::qWaitFor([&] { return !readFile(folder.filePath("pid")).isEmpty(); }, 60000));
     const QString process = "/proc/" + readFile(folder.filePath("pid")).trimmed();
     QVERIFY(QFile::exists(process));

@@ -4,6 +4,9 @@
 #include <QSettings>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/cells/cells_feature.hpp"
+#include "ui/cells/load_panel.hpp"
 #include "ui/run/run_threads.hpp"
 
 using namespace footfall;
@@ -52,18 +55,18 @@ class TestRunThreads : public QObject {
     window.commands().find("pipeline.threads.1")->trigger();
     QTRY_VERIFY(finished.count() > 0 && window.idle());
     QCOMPARE(window.controller().finishedRun()->result.threads, 1);
-    QCOMPARE(window.cells().threads(), 1);
-    QCOMPARE(window.loadPanel().findChild<QComboBox*>("threads")->currentText(), QString("1 thread"));
+    QCOMPARE(partOf<CellsFeature>(window).model().threads(), 1);
+    QCOMPARE(partOf<LoadPanel>(window).findChild<QComboBox*>("threads")->currentText(), QString("1 thread"));
     QCOMPARE(exported(window, folder), all);
   }
 
   void theLoadPanelHasTheChoiceToo() {
     if (processorCount() < 2) QSKIP("there is nothing to choose on one processor");
     EditorWindow window;
-    auto* box = window.loadPanel().findChild<QComboBox*>("threads");
+    auto* box = partOf<LoadPanel>(window).findChild<QComboBox*>("threads");
     QVERIFY(box);
     emit box->activated(0);
-    QCOMPARE(window.runThreads().chosen(), 1);
+    QCOMPARE(partOf<CellsFeature>(window).threads().chosen(), 1);
     QVERIFY(window.commands().find("pipeline.threads.1")->isChecked());
   }
 

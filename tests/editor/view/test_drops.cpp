@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/legend.hpp"
 #include "ui/view/render_geometry.hpp"
@@ -84,7 +85,7 @@ class TestDrops : public QObject {
 
  private:
   QCheckBox* dropSwitch() {
-    const auto boxes = window_->legend().findChildren<QCheckBox*>();
+    const auto boxes = partOf<Legend>(*window_).findChildren<QCheckBox*>();
     const auto found = std::ranges::find(boxes, QString("Drop: one way down"), &QCheckBox::text);
     return found == boxes.end() ? nullptr : *found;
   }

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/view/height_slider.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;
@@ -121,7 +123,7 @@ class TestHeightRange : public QObject {
   }
 
  private:
-  HeightSlider& slider() { return window_->heightSlider(); }
+  HeightSlider& slider() { return partOf<HeightSlider>(*window_); }
   double topAt(const Vec3& place) {
     const auto at = window_->view().project(place);
     const auto found = at ? window_->view().pick(at->toPoint()) : std::nullopt;

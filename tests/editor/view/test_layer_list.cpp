@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/view/height_slider.hpp"
 #include "ui/view/layer_panel.hpp"
 
 using namespace footfall;
@@ -145,7 +147,7 @@ class TestLayerList : public QObject {
     // Storeys replace layers when there are none.
     window_->view().setFocus();
     QTest::keyClick(&window_->view(), Qt::Key_PageUp);
-    QVERIFY(window_->heightSlider().shownFloor().has_value());
+    QVERIFY(partOf<HeightSlider>(*window_).shownFloor().has_value());
   }
 
   void sessionsKeepThem() {

@@ -5,7 +5,9 @@
 
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/run/provisional_content.hpp"
+#include "ui/view/height_slider.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -117,7 +119,7 @@ class TestLevelView : public QObject {
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);  // the roof has no upper side
     window.view().setInside(false);
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) < 0.01);
-    window.heightSlider().setRange({.upper = 2.5});
+    partOf<HeightSlider>(window).setRange({.upper = 2.5});
     QVERIFY(shareOf(window.view().grabFramebuffer(), walkablePaint().colour) > 0.2);
   }
 

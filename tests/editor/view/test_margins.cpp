@@ -4,6 +4,7 @@
 #include <QCheckBox>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/legend.hpp"
 
@@ -207,7 +208,9 @@ class TestMargins : public QObject {
     for (const QCheckBox* box : boxes()) texts << box->text();
     return texts;
   }
-  QList<QCheckBox*> boxes() { return window_->legend().findChild<QWidget*>("reasons")->findChildren<QCheckBox*>(); }
+  QList<QCheckBox*> boxes() {
+    return partOf<Legend>(*window_).findChild<QWidget*>("reasons")->findChildren<QCheckBox*>();
+  }
   void click(const QString& reason) {
     for (QCheckBox* box : boxes())
       if (box->text() == reason) return box->click();

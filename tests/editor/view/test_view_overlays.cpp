@@ -7,10 +7,14 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/view/camera_tools.hpp"
+#include "ui/view/height_slider.hpp"
 #include "ui/view/label_layout.hpp"
+#include "ui/view/legend.hpp"
+#include "ui/view/view_layout.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -32,7 +36,7 @@ class TestViewOverlays : public QObject {
   void cleanup() { window_.reset(); }
 
   void theLegendIsMovedAndFolded() {
-    Legend& legend = window_->legend();
+    Legend& legend = partOf<Legend>(*window_);
     const QPoint corner = legend.pos();
     drag(legend, QPoint(legend.width() - 3, legend.height() - 3), QPoint(220, -180));
     const QPoint there = legend.pos();
@@ -51,8 +55,8 @@ class TestViewOverlays : public QObject {
       other.resize(1280, 860);
       QVERIFY(showWindow(other));
       QVERIFY(openZUp(other, folder_.filePath("table.obj"), "SlopeFilter 45\n"));
-      QVERIFY(other.legend().folded());
-      QVERIFY(other.legend().x() > corner.x() + 100);
+      QVERIFY(partOf<Legend>(other).folded());
+      QVERIFY(partOf<Legend>(other).x() > corner.x() + 100);
     }
     QTest::mouseClick(&legend.foldButton(), Qt::LeftButton);
     QVERIFY(!legend.folded());
@@ -69,29 +73,29 @@ class TestViewOverlays : public QObject {
     QVERIFY(openZUp(first, folder_.filePath("table.obj"), "SlopeFilter 45\n"));
     const QSize size = first.view().size();
     int covered = 0;
-    for (const QRect& rect : first.overlays().covered()) {
+    for (const QRect& rect : partOf<ViewLayout>(first).covered()) {
       QVERIFY(first.view().rect().contains(rect));
       covered += rect.width() * rect.height();
     }
     QVERIFY2(covered < size.width() * size.height() / 6,
              qPrintable(QStringLiteral("%1 of %2 x %3").arg(covered).arg(size.width()).arg(size.height())));
     // A legend folds itself when it would take much of the room.
-    window_->legend().fitInto({400, 300});
-    QVERIFY(window_->legend().folded());
-    window_->legend().fitInto({1100, 800});
-    QVERIFY(!window_->legend().folded());
+    partOf<Legend>(*window_).fitInto({400, 300});
+    QVERIFY(partOf<Legend>(*window_).folded());
+    partOf<Legend>(*window_).fitInto({1100, 800});
+    QVERIFY(!partOf<Legend>(*window_).folded());
   }
 
   void aHintFitsIntoEveryView() {
     ViewHint& hint = *view().findChild<ViewHint*>();
     hint.showText(QStringLiteral("Roofs and outer walls are open: Shift+I closes them.\nThe handles show one storey."));
     auto* close = hint.findChild<QToolButton*>("hintClose");
-    HeightSlider& heights = window_->heightSlider();
+    HeightSlider& heights = partOf<HeightSlider>(*window_);
     QVERIFY(heights.isVisible());
     for (const int width : {320, 360, 420, 560, 900}) {
       // The view is as wide as docks at both sides leave it.
       view().resize(width, 560);
-      window_->overlays().update();
+      partOf<ViewLayout>(*window_).update();
       const QRect here = hint.geometry();
       QCOMPARE(view().width(), width);
       QVERIFY2(here.left() >= 0 && here.right() < width, qPrintable(QString::number(width)));
@@ -113,7 +117,7 @@ class TestViewOverlays : public QObject {
         const Vec3& c = view().environmentGeometry()->centre;
         const auto at = view().project({p.x + c.x, p.y + c.y, p.z + c.z});
         QVERIFY(at && QRectF(view().rect()).contains(*at));
-        for (const QRect& rect : window_->overlays().covered()) QVERIFY(!rect.contains(at->toPoint()));
+        for (const QRect& rect : partOf<ViewLayout>(*window_).covered()) QVERIFY(!rect.contains(at->toPoint()));
         outline << *at;
       }
       // It is still large.
@@ -217,8 +221,8 @@ class TestViewOverlays : public QObject {
   }
 
   void nothingCoversLabels() {
-    const QRect slider = window_->heightSlider().geometry();
-    QVERIFY(window_->heightSlider().isVisible());
+    const QRect slider = partOf<HeightSlider>(*window_).geometry();
+    QVERIFY(partOf<HeightSlider>(*window_).isVisible());
     SceneParts none;
     none.environment = none.walkable = none.removed = none.outlines = none.obstacleEdges = false;
     view().setParts(none);
@@ -334,9 +338,9 @@ class TestViewOverlays : public QObject {
   }
 
   void hugeNumbersAreShort() {
-    window_->heightSlider().setLevel(-1e300, 1e300, {});
-    QVERIFY2(window_->heightSlider().sizeHint().width() < 160,
-             qPrintable(QString::number(window_->heightSlider().sizeHint().width())));
+    partOf<HeightSlider>(*window_).setLevel(-1e300, 1e300, {});
+    QVERIFY2(partOf<HeightSlider>(*window_).sizeHint().width() < 160,
+             qPrintable(QString::number(partOf<HeightSlider>(*window_).sizeHint().width())));
   }
 
   void oneFliesAsFastAsTheLevelIsLarge() {

@@ -10,6 +10,10 @@
 #include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/filters/filter_list.hpp"
+#include "ui/level/import_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -60,7 +64,7 @@ class TestEditorWindow : public QObject {
 
   void rowsShowStatesTimesAndCounts() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    for (FilterRow* row : window_->filterList().rows()) QCOMPARE(row->stateText(), QString("done"));
+    for (FilterRow* row : partOf<FilterList>(*window_).rows()) QCOMPARE(row->stateText(), QString("done"));
     const StepStatus slope = window_->controller().status(window_->document().filters()[1].id);
     QVERIFY(slope.wallMs.has_value());
     QCOMPARE(*slope.trianglesIn, std::uint64_t{6});
@@ -69,7 +73,7 @@ class TestEditorWindow : public QObject {
 
   void reordersByDragging() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    const auto& rows = window_->filterList().rows();
+    const auto& rows = partOf<FilterList>(*window_).rows();
     QWidget* handle = rows[3]->handle();
     const QPoint grip = handle->rect().center();
     const QPoint above = handle->mapFromGlobal(rows[0]->mapToGlobal(QPoint(30, 4)));
@@ -78,7 +82,7 @@ class TestEditorWindow : public QObject {
     QTest::mouseMove(handle, above);
     QTest::mouseRelease(handle, Qt::LeftButton, Qt::NoModifier, above);
     QCOMPARE(filterNames(*window_).front(), QString("AreaFilter"));
-    QCOMPARE(window_->filterList().rows().front()->handle(), handle);  // the row itself has moved
+    QCOMPARE(partOf<FilterList>(*window_).rows().front()->handle(), handle);  // the row itself has moved
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
@@ -87,7 +91,7 @@ class TestEditorWindow : public QObject {
 
   void reordersByKeys() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    QTest::keyClick(window_->filterList().rows()[1]->enabledBox(), Qt::Key_Down, Qt::AltModifier);
+    QTest::keyClick(partOf<FilterList>(*window_).rows()[1]->enabledBox(), Qt::Key_Down, Qt::AltModifier);
     QCOMPARE(filterNames(*window_)[2], QString("SlopeFilter"));
   }
 
@@ -101,7 +105,7 @@ class TestEditorWindow : public QObject {
     QCOMPARE(slopeOf(*window_), 60.12345678901234);
     QCOMPARE(field->text(), QString("60.12345678901234"));
     QVERIFY(waitUntilIdle(*window_));
-    const auto rows = window_->filterList().rows();
+    const auto rows = partOf<FilterList>(*window_).rows();
     QCOMPARE(rows[0]->stateText(), QString("cached"));
     QCOMPARE(rows[1]->stateText(), QString("done"));
     const StepStatus slope = window_->controller().status(rows[1]->entryId());
@@ -117,7 +121,7 @@ class TestEditorWindow : public QObject {
 
   void invalidValuesAreToldAndNotTaken() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    FilterRow* row = window_->filterList().rows()[1];
+    FilterRow* row = partOf<FilterList>(*window_).rows()[1];
     auto* field = openField(*window_, 1);
     QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(field, "95");
@@ -132,11 +136,11 @@ class TestEditorWindow : public QObject {
   void switchesFiltersOffAndOn() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     const double before = window_->controller().finishedRun()->result.summary.area;
-    QCheckBox* box = window_->filterList().rows()[2]->enabledBox();
+    QCheckBox* box = partOf<FilterList>(*window_).rows()[2]->enabledBox();
     QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, QPoint(8, box->height() / 2));
     QVERIFY(!window_->document().filters()[2].step.enabled);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->filterList().rows()[2]->stateText(), QString("off"));
+    QCOMPARE(partOf<FilterList>(*window_).rows()[2]->stateText(), QString("off"));
     QVERIFY(window_->controller().finishedRun()->result.summary.area > before + 3.9);  // area under the table: 4
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(window_->document().filters()[2].step.enabled);
@@ -146,13 +150,13 @@ class TestEditorWindow : public QObject {
 
   void addsAndRemovesFilters() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    QMenu* menu = window_->filterList().addButton()->menu();
+    QMenu* menu = partOf<FilterList>(*window_).addButton()->menu();
     emit menu->aboutToShow();
     for (QAction* action : menu->actions()) {
       if (action->data() == QVariant("LayerSubdivisionFilter")) action->trigger();
     }
     QCOMPARE(filterNames(*window_).back(), QString("LayerSubdivisionFilter"));
-    QTest::mouseClick(window_->filterList().rows()[0]->removeButton(), Qt::LeftButton);
+    QTest::mouseClick(partOf<FilterList>(*window_).rows()[0]->removeButton(), Qt::LeftButton);
     QTRY_COMPARE(filterNames(*window_).size(), 4);
     QCOMPARE(filterNames(*window_).front(), QString("SlopeFilter"));
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
@@ -164,7 +168,7 @@ class TestEditorWindow : public QObject {
   void editsThatChangeNothingRunNothing() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     const QSignalSpy started(&window_->controller(), &RunController::started);
-    QCheckBox* box = window_->filterList().rows()[2]->enabledBox();
+    QCheckBox* box = partOf<FilterList>(*window_).rows()[2]->enabledBox();
     box->click();
     box->click();
     QTest::qWait(500);
@@ -178,27 +182,27 @@ class TestEditorWindow : public QObject {
     const std::size_t shown = window_->view().content().walkable.size();
     const QSignalSpy cancelled(&window_->controller(), &RunController::cancelled);
     connect(&window_->controller(), &RunController::started, window_.get(),
-            [&] { window_->cancelButton()->click(); });  // it appears when a run takes a while
+            [&] { window_->findChild<QPushButton*>("cancel")->click(); });  // it appears when a run takes a while
     window_->document().setValue(window_->document().filters()[1].id, 0, 30, 0);
     QTRY_COMPARE(cancelled.count(), 1);
     QVERIFY(!window_->controller().busy());
     QCOMPARE(window_->controller().finishedRun(), before);
     QCOMPARE(window_->view().content().walkable.size(), shown);
-    QCOMPARE(window_->filterList().rows()[3]->stateText(), QString("cancelled"));
-    QVERIFY(!window_->cancelButton()->isVisible());
+    QCOMPARE(partOf<FilterList>(*window_).rows()[3]->stateText(), QString("cancelled"));
+    QVERIFY(!window_->findChild<QPushButton*>("cancel")->isVisible());
   }
 
   void failingStepsAreToldOnTheirRow() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
     QVERIFY(waitUntilIdle(*window_));
-    FilterRow* row = window_->filterList().rows().back();
+    FilterRow* row = partOf<FilterList>(*window_).rows().back();
     QCOMPARE(row->stateText(), QString("failed"));
     QVERIFY(row->errorText().contains("strategy"));
-    QVERIFY(window_->messageBar().isVisible());
+    QVERIFY(partOf<MessageBar>(*window_).isVisible());
     QVERIFY(window_->controller().finishedRun() != nullptr);
     QTest::mouseClick(row->removeButton(), Qt::LeftButton);
-    QTRY_VERIFY(!window_->messageBar().isVisible());
+    QTRY_VERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
 
   void badFilesKeepWhatWasThere() {
@@ -211,9 +215,9 @@ class TestEditorWindow : public QObject {
       QSignalSpy failed(window_.get(), &EditorWindow::loadFailed);
       window_->open(path);
       QVERIFY(failed.count() > 0 || failed.wait());
-      QVERIFY(window_->messageBar().isVisible());
-      QVERIFY(window_->messageBar().text().contains(path));
-      QVERIFY(!window_->messageBar().text().contains('\n'));
+      QVERIFY(partOf<MessageBar>(*window_).isVisible());
+      QVERIFY(partOf<MessageBar>(*window_).text().contains(path));
+      QVERIFY(!partOf<MessageBar>(*window_).text().contains('\n'));
       QCOMPARE(window_->environment(), before);
       QVERIFY(window_->controller().upToDate());
       QVERIFY(!window_->view().content().walkable.empty());
@@ -223,7 +227,7 @@ class TestEditorWindow : public QObject {
       QFAIL("a missing file was read");
     } catch (const InputError& error) {
       window_->open(missing);
-      QTRY_COMPARE(window_->messageBar().text(), QString(error.what()));
+      QTRY_COMPARE(partOf<MessageBar>(*window_).text(), QString(error.what()));
     }
   }
 
@@ -243,13 +247,13 @@ class TestEditorWindow : public QObject {
   void exportThatFailsIsTold() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     window_->exportResult(folder_->filePath("no/such/folder/result.obj"));
-    QTRY_VERIFY(window_->messageBar().text().contains("no/such/folder"));
-    QVERIFY(window_->messageBar().isVisible());
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("no/such/folder"));
+    QVERIFY(partOf<MessageBar>(*window_).isVisible());
   }
 
   void importOptionsCanBeEditedAndUndone() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    QTest::mouseClick(window_->importPanel().bothSidesBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
+    QTest::mouseClick(partOf<ImportPanel>(*window_).bothSidesBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
     QTRY_VERIFY(window_->environment()->bothSides);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QTRY_VERIFY(!window_->environment()->bothSides);
@@ -259,7 +263,7 @@ class TestEditorWindow : public QObject {
   void scaleMovesDefaultsAlong() {
     window_->openWith(table_, std::nullopt, {});
     QVERIFY(waitUntilIdle(*window_) && window_->environment());
-    NumberField* scale = window_->importPanel().scaleField();
+    NumberField* scale = partOf<ImportPanel>(*window_).scaleField();
     scale->setFocus();
     QTest::keyClick(scale, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(scale, "0.05");

@@ -16,6 +16,8 @@
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/window/export_dialog.hpp"
 
 using namespace footfall;
@@ -105,8 +107,8 @@ class TestExportDialog : public QObject {
         parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 0.5\nLayerSubdivisionFilter\n", "test"), "filters");
     QVERIFY(waitUntilIdle(*window_));
     window_->commands().find("file.exportAgain")->trigger();
-    QTRY_VERIFY2(window_->messageBar().text().contains("again-1.wkt: already exists"),
-                 qPrintable(window_->messageBar().text()));
+    QTRY_VERIFY2(partOf<MessageBar>(*window_).text().contains("again-1.wkt: already exists"),
+                 qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(readFile(second), QByteArray("mine"));
     QVERIFY(!QFile::exists(folder_->filePath("again-0.wkt")));
     QVERIFY(QFile::remove(second));
@@ -305,11 +307,11 @@ class TestExportDialog : public QObject {
     const QString full = folder_->filePath("full.glb");
     QVERIFY(QFile::link("/dev/full", full));
     window_->exportResult(full);
-    QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("the disk is full"));
     for (const char* ending : {"obj", "gltf", "png", "html"}) {
-      window_->messageBar().clear();
+      partOf<MessageBar>(*window_).clear();
       window_->exportResult(folder_->filePath(QString("no/such/folder/a.") + ending));
-      QTRY_VERIFY2(window_->messageBar().text().contains("its folder does not exist"), ending);
+      QTRY_VERIFY2(partOf<MessageBar>(*window_).text().contains("its folder does not exist"), ending);
     }
     QVERIFY(waitUntilIdle(*window_));
   }
@@ -328,12 +330,12 @@ class TestExportDialog : public QObject {
     QTRY_VERIFY(begun);
     window_->controller().runNow();
     QTRY_VERIFY(!window_->controller().busy());
-    QVERIFY(window_->cancelButton()->isVisible());
-    QTest::mouseClick(window_->cancelButton(), Qt::LeftButton);
+    QVERIFY(window_->findChild<QPushButton*>("cancel")->isVisible());
+    QTest::mouseClick(window_->findChild<QPushButton*>("cancel"), Qt::LeftButton);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(!window_->cancelButton()->isVisible());
-    QVERIFY2(window_->messageBar().text().contains("not written, as it was cancelled"),
-             qPrintable(window_->messageBar().text()));
+    QVERIFY(!window_->findChild<QPushButton*>("cancel")->isVisible());
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("not written, as it was cancelled"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(readFile(target), QByteArray("before"));
     window_->exportResult(target);
     QTRY_VERIFY(readFile(target).contains("# pipeline: "));

@@ -13,6 +13,10 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/base/progress_display.hpp"
+#include "ui/base/status_line.hpp"
 #include "ui/window/export_dialog.hpp"
 
 using namespace footfall;
@@ -65,8 +69,8 @@ class TestFileSafety : public QObject {
   void noOtherWayLeadsThere() {
     QSignalSpy written(window_.get(), &EditorWindow::written);
     const auto refused = [&](const QString& path) {
-      if (!window_->messageBar().text().startsWith(path + ": would be overwritten")) return false;
-      window_->messageBar().clear();
+      if (!partOf<MessageBar>(*window_).text().startsWith(path + ": would be overwritten")) return false;
+      partOf<MessageBar>(*window_).clear();
       return true;
     };
     window_->exportResult(table_);
@@ -94,9 +98,9 @@ class TestFileSafety : public QObject {
     QVERIFY(written.wait());
     const QByteArray before = readFile(session);
     window_->savePipeline(session);
-    QVERIFY(window_->messageBar().text().contains("is the session that is open"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("is the session that is open"));
     window_->exportResult(pipeline);
-    QVERIFY(window_->messageBar().text().contains("is the pipeline that is open"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("is the pipeline that is open"));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(readFile(session), before);
     QCOMPARE(readFile(pipeline), QByteArray("SlopeFilter 45\nVerticalClearanceFilter 2\n"));
@@ -213,27 +217,27 @@ class TestFileSafety : public QObject {
       const QString path = writeFile(*folder_, name, content);
       window_->open(path);
       QVERIFY(waitUntilIdle(*window_));
-      QVERIFY2(window_->messageBar().text().contains(name), qPrintable(window_->messageBar().text()));
+      QVERIFY2(partOf<MessageBar>(*window_).text().contains(name), qPrintable(partOf<MessageBar>(*window_).text()));
       QCOMPARE(status(), before);
       QVERIFY(window_->windowTitle().startsWith("table.obj"));
-      QVERIFY(!window_->progressDisplay().bar()->isVisible());
-      QVERIFY(!window_->cancelButton()->isVisible());
+      QVERIFY(!partOf<ProgressDisplay>(*window_).bar()->isVisible());
+      QVERIFY(!window_->findChild<QPushButton*>("cancel")->isVisible());
     }
     window_->open(folder_->filePath("gone.obj"));
-    QTRY_VERIFY(window_->messageBar().text().contains("no such file"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("no such file"));
     // The next file that is opened replaces it.
     window_->open(writeFile(*folder_, "floor.obj", floorObj()));
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(!window_->messageBar().text().contains("no such file"));
+    QVERIFY(!partOf<MessageBar>(*window_).text().contains("no such file"));
   }
 
   void aPipelineThatCanBeReadEndsTheErrorOfOneThatCannot() {
     const Pipeline before = window_->document().pipeline();
     window_->openPipeline(writeFile(*folder_, "bad.pipeline", "SlopeFilter\n"));
-    QVERIFY(window_->messageBar().isVisible());
+    QVERIFY(partOf<MessageBar>(*window_).isVisible());
     QCOMPARE(window_->document().pipeline(), before);
     window_->openPipeline(writeFile(*folder_, "good.pipeline", "SlopeFilter 30\n"));
-    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
 
   void aToolsHintEndsWithTheTool() {
@@ -248,31 +252,31 @@ class TestFileSafety : public QObject {
 
   void aWritingErrorEndsWithASuccess() {
     window_->exportResult(folder_->filePath("none/a.obj"));
-    QTRY_VERIFY(window_->messageBar().isVisible());
+    QTRY_VERIFY(partOf<MessageBar>(*window_).isVisible());
     window_->exportResult(folder_->filePath("a.obj"));
     QTRY_VERIFY(QFile::exists(folder_->filePath("a.obj")) && window_->idle());
-    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*window_).isVisible());
     QVERIFY(status().startsWith("Wrote "));
     // A note about a finished action disappears after a while.
-    window_->statusLine().setNoteDuration(1);
-    window_->statusLine().say(StatusSubject::Note, "news");
+    partOf<StatusLine>(*window_).setNoteDuration(1);
+    partOf<StatusLine>(*window_).say(StatusSubject::Note, "news");
     QTRY_VERIFY(status() != "news" && !status().startsWith("Wrote "));
   }
 
   void othersMessagesStay() {
-    window_->messageBar().showErrorOf(MessageSubject::Writing, "the disk is full");
+    partOf<MessageBar>(*window_).showErrorOf(MessageSubject::Writing, "the disk is full");
     edit(50);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->messageBar().text(), QString("the disk is full"));
+    QCOMPARE(partOf<MessageBar>(*window_).text(), QString("the disk is full"));
   }
 
   void aHintAboutFiltersEndsWhenTheyChange() {
     edit(33);
     window_->open(writeFile(*folder_, "floor.obj", floorObj()));
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(window_->messageBar().text().contains("filters were kept"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("filters were kept"));
     edit(34);
-    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
 
   // --- Errors name rows as the list does
@@ -283,13 +287,13 @@ class TestFileSafety : public QObject {
     next.filters.back().id = window_->document().newFilterId();
     next.filters.back().step = defaultStep(filterDescriptor(FilterType::GridStrategy), 1);
     window_->document().edit(next, "a strategy without an end");
-    QVERIFY(QTest::qWaitFor([&] { return window_->messageBar().isVisible(); }));
-    QVERIFY2(window_->messageBar().text().startsWith("step 3 (Grid strategy): "),
-             qPrintable(window_->messageBar().text()));
+    QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).isVisible(); }));
+    QVERIFY2(partOf<MessageBar>(*window_).text().startsWith("step 3 (Grid strategy): "),
+             qPrintable(partOf<MessageBar>(*window_).text()));
     // Gone with the cause.
     window_->document().undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
-    QTRY_VERIFY(!window_->messageBar().isVisible());
+    QTRY_VERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
 
   // --- Exports that wait
@@ -318,7 +322,7 @@ class TestFileSafety : public QObject {
     import.up = UpAxis::Z;
     window_->openWith(writeFile(*folder_, "floor.obj", floorObj()), std::nullopt, import);
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != before; }, 20000));
-    const QString told = window_->messageBar().text();
+    const QString told = partOf<MessageBar>(*window_).text();
     QVERIFY(waitUntilIdle(*window_));
     // A run that was faster than the file is of the environment that it began with.
     if (QFile::exists(target)) {
@@ -333,8 +337,8 @@ class TestFileSafety : public QObject {
     edit(80);
     window_->exportResult(target);
     window_->controller().cancel();
-    QTRY_VERIFY2(window_->messageBar().text().startsWith(target + ": not written"),
-                 qPrintable(window_->messageBar().text()));
+    QTRY_VERIFY2(partOf<MessageBar>(*window_).text().startsWith(target + ": not written"),
+                 qPrintable(partOf<MessageBar>(*window_).text()));
     QVERIFY(window_->idle());
     QVERIFY(!QFile::exists(target));
   }
@@ -351,7 +355,7 @@ class TestFileSafety : public QObject {
     QVERIFY(!window_->close());
     QVERIFY(window_->isVisible());
     go = true;
-    QTRY_VERIFY(window_->messageBar().text().contains("the disk is full"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("the disk is full"));
     QVERIFY(window_->isVisible());  // the message must be visible
     go = false;
     window_->writer().write(
@@ -428,7 +432,7 @@ class TestFileSafety : public QObject {
  private:
   void edit(double slope) { window_->document().setValue(window_->document().filters()[0].id, 0, slope, -1); }
   void choose(const char* command) { window_->commands().find(QLatin1String(command))->trigger(); }
-  QString status() { return window_->statusLine().text(); }
+  QString status() { return partOf<StatusLine>(*window_).text(); }
   ExportDialog* exportDialog() { return window_->findChild<ExportDialog*>(); }
   QLineEdit* nameField() { return exportDialog()->findChild<QLineEdit*>("fileNameEdit"); }
   QString problem() { return exportDialog()->findChild<QLabel*>("rowError")->text(); }

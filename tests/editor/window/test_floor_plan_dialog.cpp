@@ -8,6 +8,8 @@
 #include <QSettings>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/window/export_dialog.hpp"
 
 using namespace footfall;
@@ -102,7 +104,7 @@ class TestFloorPlanDialog : public QObject {
     window_->commands().find("file.exportAgain")->trigger();
     QTRY_VERIFY(QFile::exists(folder_->filePath("plan-0.svg")));
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(window_->messageBar().text().isEmpty());
+    QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
   }
 
   void theEnvironmentIsNotWrittenOver() {

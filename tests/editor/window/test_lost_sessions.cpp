@@ -10,6 +10,9 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/base/status_line.hpp"
 #include "ui/window/session_history.hpp"
 
 using namespace footfall;
@@ -114,10 +117,11 @@ class TestLostSessions : public QObject {
     window_ = makeWindow();
     // The one of the file that is opened comes first.
     window_->offerRestoring(table_);
-    QVERIFY2(window_->messageBar().text().contains("2 sessions"), qPrintable(window_->messageBar().text()));
-    QVERIFY(window_->messageBar().text().contains("Restore table.obj"));
+    QVERIFY2(partOf<MessageBar>(*window_).text().contains("2 sessions"),
+             qPrintable(partOf<MessageBar>(*window_).text()));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("Restore table.obj"));
     window_->offerRestoring(floor);
-    QVERIFY(window_->messageBar().text().contains("Restore floor.obj"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("Restore floor.obj"));
     QTest::mouseClick(button("Others..."), Qt::LeftButton);
     QMenu* menu = nullptr;
     QTRY_VERIFY((menu = window_->findChild<QMenu*>("lostSessions")) != nullptr);
@@ -126,7 +130,7 @@ class TestLostSessions : public QObject {
     // The other one is offered once the first is there.
     window_->offerRestoring(floor);
     QTest::mouseClick(button("Restore"), Qt::LeftButton);
-    QTRY_VERIFY_WITH_TIMEOUT(window_->messageBar().text().contains("while table.obj was open"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(partOf<MessageBar>(*window_).text().contains("while table.obj was open"), kWaitMs);
     QVERIFY(waitUntilIdle(*window_));
   }
 
@@ -158,7 +162,7 @@ class TestLostSessions : public QObject {
     // The picture comes with a later frame.
     QTRY_VERIFY_WITH_TIMEOUT(!window_->drawing(), kWaitMs);
     QVERIFY(window_->view().isWhole());
-    QVERIFY(!window_->statusLine().text().contains("Drawing"));
+    QVERIFY(!partOf<StatusLine>(*window_).text().contains("Drawing"));
   }
 
  private:
@@ -169,7 +173,7 @@ class TestLostSessions : public QObject {
     return window;
   }
   QPushButton* button(const QString& text) {
-    for (auto* found : window_->messageBar().findChildren<QPushButton*>()) {
+    for (auto* found : partOf<MessageBar>(*window_).findChildren<QPushButton*>()) {
       if (found->text() == text && found->isVisible()) return found;
     }
     qFatal("no button %s", qPrintable(text));

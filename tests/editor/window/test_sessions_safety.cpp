@@ -12,6 +12,8 @@
 
 #include "core/io/export.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/window/session_keeper.hpp"
 
 using namespace footfall;
@@ -59,15 +61,15 @@ class TestSessionsSafety : public QObject {
     {
       auto other = makeWindow();
       other->offerRestoring();
-      QVERIFY(!other->messageBar().isVisible());
+      QVERIFY(!partOf<MessageBar>(*other).isVisible());
     }
     ::kill(static_cast<pid_t>(editor.processId()), SIGKILL);
     QVERIFY(editor.waitForFinished());
 
     window_ = makeWindow();
     window_->offerRestoring();
-    QVERIFY(window_->messageBar().isVisible());
-    QVERIFY(window_->messageBar().text().contains("table.obj"));
+    QVERIFY(partOf<MessageBar>(*window_).isVisible());
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("table.obj"));
     QTest::mouseClick(button("Restore"), Qt::LeftButton);
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
@@ -79,7 +81,7 @@ class TestSessionsSafety : public QObject {
     QTRY_COMPARE(autosaves().size(), 1);
     auto other = makeWindow();
     other->offerRestoring();
-    QVERIFY(!other->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*other).isVisible());
   }
 
   void unsavedChangesComeBackAsUnsaved() {
@@ -104,7 +106,7 @@ class TestSessionsSafety : public QObject {
     window_ = makeWindow();
     window_->offerRestoring();
     QTest::mouseClick(button("Discard"), Qt::LeftButton);
-    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*window_).isVisible());
     QTRY_VERIFY(autosaves().isEmpty());
   }
 
@@ -114,7 +116,7 @@ class TestSessionsSafety : public QObject {
     broken.write("{\"footfall_session\": 1, \"environ");
     broken.close();
     window_->offerRestoring();
-    QVERIFY(!window_->messageBar().isVisible());
+    QVERIFY(!partOf<MessageBar>(*window_).isVisible());
     QVERIFY(autosaves().isEmpty());
   }
 
@@ -207,16 +209,16 @@ class TestSessionsSafety : public QObject {
     QVERIFY(window_->isWindowModified());
 
     window_->saveSession(folder_->filePath("no/such/folder/x.footfall"));
-    QTRY_VERIFY(window_->messageBar().isVisible());
-    QVERIFY(window_->messageBar().text().contains("no/such/folder"));
+    QTRY_VERIFY(partOf<MessageBar>(*window_).isVisible());
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("no/such/folder"));
     QVERIFY(window_->hasUnsavedChanges() && window_->isWindowModified());
     QVERIFY(window_->windowTitle().contains("good.footfall"));
 
     // A device that is always full.
     if (QFileInfo::exists("/dev/full")) {
-      window_->messageBar().clear();
+      partOf<MessageBar>(*window_).clear();
       window_->saveSession("/dev/full");
-      QTRY_VERIFY(window_->messageBar().text().contains("full"));
+      QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("full"));
       QVERIFY(window_->hasUnsavedChanges());
     }
     QCOMPARE(readFile(good), before);
@@ -244,12 +246,12 @@ class TestSessionsSafety : public QObject {
     qputenv("XDG_CONFIG_HOME", elsewhere.path().toUtf8());
     auto window = makeWindow();
     const bool opened = openZUp(*window, table_, "SlopeFilter 45\n");
-    const bool told = QTest::qWaitFor([&] { return window->messageBar().isVisible(); });
-    const QString text = window->messageBar().text();
-    window->messageBar().clear();
+    const bool told = QTest::qWaitFor([&] { return partOf<MessageBar>(*window).isVisible(); });
+    const QString text = partOf<MessageBar>(*window).text();
+    partOf<MessageBar>(*window).clear();
     window->findChild<SessionFiles*>()->keepSoon();
     QTest::qWait(1300);
-    const bool toldAgain = window->messageBar().isVisible();
+    const bool toldAgain = partOf<MessageBar>(*window).isVisible();
     qputenv("XDG_CONFIG_HOME", before);
     QVERIFY(opened && told && !toldAgain);
     QVERIFY(text.contains("after a crash"));
@@ -263,7 +265,7 @@ class TestSessionsSafety : public QObject {
     return window;
   }
   QPushButton* button(const QString& text) {
-    for (auto* found : window_->messageBar().findChildren<QPushButton*>()) {
+    for (auto* found : partOf<MessageBar>(*window_).findChildren<QPushButton*>()) {
       if (found->text() == text && found->isVisible()) return found;
     }
     qFatal("no button %s", qPrintable(text));

@@ -14,11 +14,15 @@
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "tests/support/soup.hpp"
 #include "ui/base/command_palette.hpp"
+#include "ui/filters/filter_list.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/path/path_feature.hpp"
+#include "ui/view/height_slider.hpp"
+#include "ui/view/view_layout.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -132,8 +136,8 @@ void TestStories::clickAt(const Vec3& place) {
 }
 
 FilterRow* TestStories::row(const char* filter) {
-  for (std::size_t i = 0; i < window_->filterList().rows().size(); ++i) {
-    if (window_->document().filters()[i].step.filter->name == filter) return window_->filterList().rows()[i];
+  for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
+    if (window_->document().filters()[i].step.filter->name == filter) return partOf<FilterList>(*window_).rows()[i];
   }
   return nullptr;
 }
@@ -141,7 +145,7 @@ FilterRow* TestStories::row(const char* filter) {
 void TestStories::setParameter(const char* filter, const char* value) {
   FilterRow* found = row(filter);
   QVERIFY(found != nullptr);
-  window_->filterList().choose({found->entryId()});
+  partOf<FilterList>(*window_).choose({found->entryId()});
   QWidget* field = found->field(0);
   field->setFocus();
   QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);
@@ -170,7 +174,7 @@ void TestStories::aDoorwayIsClosed() {
   // Why? The lintel is in the way of the eye as well: cut above 1.5 m.
   auto* inspection = window_->findChild<InspectionFeature*>();
   QVERIFY(inspection != nullptr);
-  window_->heightSlider().setRange({-1, 1.5});
+  partOf<HeightSlider>(*window_).setRange({-1, 1.5});
   QTest::keyClick(&window_->view(), Qt::Key_Y);
   clickAt(kDoorway);
   QTRY_VERIFY(!inspection->watch().busy() && inspection->watch().explanation().has_value());
@@ -184,7 +188,7 @@ void TestStories::aDoorwayIsClosed() {
   setParameter("VerticalClearanceFilter", "1.8");
   QCOMPARE(window_->document().undoStack()->count(), 1);
   QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
-  window_->heightSlider().setRange({});
+  partOf<HeightSlider>(*window_).setRange({});
   QTest::keyClick(&window_->view(), Qt::Key_Escape);
   command("view.oblique")->trigger();
   panelOnly("panel.path");
@@ -223,7 +227,7 @@ void TestStories::aCrateIsMoved() {
   QVERIFY(regions() > 0);
   const std::size_t openRegions = regions();
 
-  window_->heightSlider().setRange({-1, 1.5});
+  partOf<HeightSlider>(*window_).setRange({-1, 1.5});
   command("view.top")->trigger();
   command("obstacle.box")->trigger();
   QVERIFY(window_->view().tool() != nullptr);
@@ -238,12 +242,12 @@ void TestStories::aCrateIsMoved() {
   QVERIFY(waitUntilIdle(*window_));
   QTRY_COMPARE(regions(), openRegions + 1);  // the rooms are apart
   panelOnly("view.obstacles");
-  window_->heightSlider().setRange({});
+  partOf<HeightSlider>(*window_).setRange({});
   command("view.oblique")->trigger();
   picture(QStringLiteral("guide-crate"));
 
   // Dragged by its body into the room.
-  window_->heightSlider().setRange({-1, 1.5});
+  partOf<HeightSlider>(*window_).setRange({-1, 1.5});
   command("view.top")->trigger();
   if (!command("obstacle.select")->isChecked()) command("obstacle.select")->trigger();
   const QPoint from = window_->view().project({8.875, 5.125, 1})->toPoint();
@@ -282,7 +286,7 @@ void TestStories::stairsAreClimbed() {
   command("view.fit")->trigger();
   const Vec3 start{2, 4, 0};
   const Vec3 target{12, 4, kRisers * kRiser};
-  for (const QRect& rect : window_->overlays().covered()) {
+  for (const QRect& rect : partOf<ViewLayout>(*window_).covered()) {
     for (const Vec3& end : {start, target}) QVERIFY(!rect.contains(window_->view().project(end)->toPoint()));
   }
   clickAt(start);
@@ -351,11 +355,11 @@ void TestStories::aBuildingIsLookedInto() {
 void TestStories::theEditorWelcomes() {
   picture(QStringLiteral("guide-welcome"));
   QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
-  QTRY_VERIFY(window_->commandPalette().isVisible());
+  QTRY_VERIFY(partOf<CommandPalette>(*window_).isVisible());
   QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("cl"));
   QTest::qWait(100);
-  if (!pictures_.isEmpty()) QVERIFY(window_->commandPalette().grab().save(pictures_ + "/guide-palette.png"));
-  window_->commandPalette().close();
+  if (!pictures_.isEmpty()) QVERIFY(partOf<CommandPalette>(*window_).grab().save(pictures_ + "/guide-palette.png"));
+  partOf<CommandPalette>(*window_).close();
 }
 
 // Qt calls neither of two actions with the same key.

@@ -3,6 +3,8 @@
 #include <QDir>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
 #include "ui/window/welcome_page.hpp"
 
 using namespace footfall;
@@ -25,7 +27,7 @@ class TestWelcome : public QObject {
   void cleanup() { window_.reset(); }
 
   void isThereUntilSomethingIsLoaded() {
-    WelcomePage& page = window_->welcomePage();
+    WelcomePage& page = partOf<WelcomePage>(*window_);
     QVERIFY(page.isVisible());
     QVERIFY(!page.closeButton()->isVisible());
     QTest::keyClick(page.openButton(), Qt::Key_Escape);
@@ -41,12 +43,12 @@ class TestWelcome : public QObject {
   }
 
   void nothingIsCutOffOnASmallScreen() {
-    for (QWidget* widget : window_->welcomePage().findChildren<QWidget*>()) {
+    for (QWidget* widget : partOf<WelcomePage>(*window_).findChildren<QWidget*>()) {
       const auto* label = qobject_cast<QLabel*>(widget);
       if (!label || !label->isVisible() || label->text().isEmpty() || label->wordWrap()) continue;
       QVERIFY2(label->width() >= label->sizeHint().width() - 1, qPrintable(label->text()));
     }
-    for (QToolButton* button : window_->welcomePage().sampleButtons()) {
+    for (QToolButton* button : partOf<WelcomePage>(*window_).sampleButtons()) {
       const auto labels = button->findChildren<QLabel*>();
       for (const QLabel* label : labels) {
         QVERIFY2(button->rect().contains(label->geometry()), qPrintable(label->text()));
@@ -69,7 +71,7 @@ class TestWelcome : public QObject {
     EditorWindow other;
     other.resize(1100, 800);
     QVERIFY(showWindow(other));
-    QListWidget* list = other.welcomePage().recentList();
+    QListWidget* list = partOf<WelcomePage>(other).recentList();
     QCOMPARE(list->count(), 1);
     QVERIFY(list->item(0)->text().contains("table.obj"));
     list->setFocus();
@@ -81,7 +83,7 @@ class TestWelcome : public QObject {
   void opensRecentFilesWithTheMouse() {
     QSettings().setValue("recentFiles", QStringList{table_});
     window_->showWelcome(true);
-    QListWidget* list = window_->welcomePage().recentList();
+    QListWidget* list = partOf<WelcomePage>(*window_).recentList();
     QTest::qWait(50);  // laid out
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(0)).center());
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
@@ -91,7 +93,7 @@ class TestWelcome : public QObject {
     const QString gone = folder_->filePath("gone.obj");
     QSettings().setValue("recentFiles", QStringList{gone, table_});
     window_->showWelcome(true);
-    WelcomePage& page = window_->welcomePage();
+    WelcomePage& page = partOf<WelcomePage>(*window_);
     QListWidget* list = page.recentList();
     QCOMPARE(list->count(), 2);
     QVERIFY(list->item(0)->text().contains("missing"));
@@ -99,7 +101,7 @@ class TestWelcome : public QObject {
     list->setCurrentRow(0);
     QTest::keyClick(list, Qt::Key_Return);
     QTest::qWait(100);
-    QVERIFY(!window_->environment() && !window_->messageBar().isVisible());
+    QVERIFY(!window_->environment() && !partOf<MessageBar>(*window_).isVisible());
     QTest::keyClick(list, Qt::Key_Delete);
     QCOMPARE(list->count(), 1);
     QCOMPARE(QSettings().value("recentFiles").toStringList(), QStringList{table_});
@@ -110,7 +112,7 @@ class TestWelcome : public QObject {
   }
 
   void samplesOpenWithTheirPipelines() {
-    const auto& buttons = window_->welcomePage().sampleButtons();
+    const auto& buttons = partOf<WelcomePage>(*window_).sampleButtons();
     QVERIFY2(buttons.size() >= 6, "the samples of the source folder");
     QTest::keyClick(buttons.front(), Qt::Key_Space);
     QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
@@ -137,8 +139,8 @@ class TestWelcome : public QObject {
     other.resize(1100, 800);
     QVERIFY(showWindow(other));
     other.offerRestoring();
-    QVERIFY(!other.messageBar().isVisible());  // it was closed properly
-    QPushButton* button = other.welcomePage().continueButton();
+    QVERIFY(!partOf<MessageBar>(other).isVisible());  // it was closed properly
+    QPushButton* button = partOf<WelcomePage>(other).continueButton();
     QVERIFY(button->isVisible());
     QVERIFY(button->text().contains("table.obj"));
     QTest::mouseClick(button, Qt::LeftButton);
@@ -153,7 +155,7 @@ class TestWelcome : public QObject {
     QSettings().setValue("recentFiles", QStringList{table_});
     window_->showWelcome(true);
     QTest::qWait(50);  // layouts show new widgets a moment later
-    WelcomePage& page = window_->welcomePage();
+    WelcomePage& page = partOf<WelcomePage>(*window_);
     QList<QWidget*> wanted{page.openButton(), page.recentList(), page.removeButton()};
     for (QToolButton* button : page.sampleButtons()) wanted << button;
     page.recentList()->setCurrentRow(0);
