@@ -3990,6 +3990,13 @@
         <source>There is no result yet; the comparison follows when a run has finished.</source>
         <translation>Es gibt noch kein Ergebnis; der Vergleich folgt, wenn ein Lauf beendet ist.</translation>
     </message>
+    <message numerus="yes">
+        <source>Distances, taken at %n corners: at most %1, mean %2, root mean square %3</source>
+        <translation>
+            <numerusform>Abstände, an %n Ecke gemessen: höchstens %1, Mittel %2, quadratisches Mittel %3</numerusform>
+            <numerusform>Abstände, an %n Ecken gemessen: höchstens %1, Mittel %2, quadratisches Mittel %3</numerusform>
+        </translation>
+    </message>
     <message>
         <source>There is no edit yet; the changes of the next edit will be shown here.</source>
         <translation>Es gibt noch keine Änderung; hier erscheint, was die nächste Änderung bewirkt.</translation>

@@ -28,6 +28,13 @@
 <context>
     <name>footfall::ui::CompareFeature</name>
     <message numerus="yes">
+        <source>Distances, taken at %n corners: at most %1, mean %2, root mean square %3</source>
+        <translation>
+            <numerusform>Distances, taken at %n corner: at most %1, mean %2, root mean square %3</numerusform>
+            <numerusform>Distances, taken at %n corners: at most %1, mean %2, root mean square %3</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>Only the largest %n regions are drawn</source>
         <translation>
             <numerusform>Only the largest region is drawn</numerusform>

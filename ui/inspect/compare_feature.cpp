@@ -153,6 +153,7 @@ void CompareFeature::show() {
   chosenRegion_ = -1;
   if (difference && !watch_->busy()) {
     panel_->showDifference(*difference, writer());
+    if (watch_->distances()) panel_->addLine(distanceLine(*watch_->distances()));
   } else if (watch_->busy()) {
     if (!difference) panel_->showNote(tr("Comparing …"));
     panel_->setWaiting(true);
@@ -164,6 +165,13 @@ void CompareFeature::show() {
                          : tr("There is no edit yet; the changes of the next edit will be shown here."));
   }
   draw();
+}
+
+QString CompareFeature::distanceLine(const DistanceBands& bands) const {
+  const LevelUnits units = units_.units();
+  return tr("Distances, taken at %n corners: at most %1, mean %2, root mean square %3", "",
+            static_cast<int>(bands.samples))
+      .arg(units.length(bands.largest), units.length(bands.mean), units.length(bands.rms));
 }
 
 void CompareFeature::draw() {

@@ -38,6 +38,7 @@ class CompareFeature : public QObject {
   void draw();
   void drawDifference(const SurfaceDifference& difference);
   void drawDistances(const DistanceBands& bands);
+  [[nodiscard]] QString distanceLine(const DistanceBands& bands) const;
   void frame(int region);
   [[nodiscard]] CompareWriter writer() const;
 

@@ -121,6 +121,8 @@ void ComparePanel::showDifference(const SurfaceDifference& difference, const Com
   setWaiting(false);
 }
 
+void ComparePanel::addLine(const QString& line) { summary_->setText(summary() + QLatin1Char('\n') + line); }
+
 void ComparePanel::setWaiting(bool waiting) {
   summary_->setEnabled(!waiting);
   table_->setEnabled(!waiting);

@@ -40,7 +40,9 @@ class ComparePanel : public QWidget {
   /// Shows the reason why there is no difference.
   void showNote(const QString& note);
   void showDifference(const SurfaceDifference& difference, const CompareWriter& write);
-  /// Sets whether another difference is being computed.
+  /// A further line below the summary.
+  void addLine(const QString& line);
+  /// Whether another difference is being computed.
   void setWaiting(bool waiting);
 
   [[nodiscard]] QCheckBox* distanceBox() const { return distance_; }

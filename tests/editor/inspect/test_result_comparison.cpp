@@ -111,7 +111,8 @@ class TestCompare : public QObject {
     QVERIFY(feature_->panel().choiceBox()->currentText().contains("saved.obj"));
   }
 
-  // The table is gone from the saved result: its top is 1 above the floor that is nearest.
+  // Distances are taken at vertices, as the thesis does: the floor that appears below the table has all of its own on
+  // what was there before.
   void distancesAreColoured() {
     const QString saved = folder_->filePath("saved.obj");
     QSignalSpy written(window_.get(), &EditorWindow::written);
@@ -124,13 +125,18 @@ class TestCompare : public QObject {
     QTRY_VERIFY(!feature_->watch().busy() && feature_->watch().distances());
     QCOMPARE(feature_->watch().distances()->largest, 0.0);
     QVERIFY(legend().contains("Distance to the other result"));
-    setClearance(0.5);  // the floor below the table appears: its middle is far from what was there
+    QVERIFY(feature_->panel().summary().contains("Distances, taken at"));
+    setClearance(0.5);
     QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy() && feature_->watch().distances());
     QVERIFY(feature_->watch().distances()->samples > 0);
+    QCOMPARE(feature_->watch().distances()->largest, 0.0);
+    QVERIFY(feature_->panel().summary().contains("Appeared: 4.00 units"));
+    QVERIFY2(feature_->panel().summary().contains("corners: at most 0"), qPrintable(feature_->panel().summary()));
     shoot(*window_, "compare-distance");
     feature_->panel().distanceBox()->click();
     QVERIFY(!feature_->watch().distances());
     QVERIFY(!legend().contains("Distance"));
+    QVERIFY(!feature_->panel().summary().contains("Distances"));
   }
 
   void whatIsNoResultIsSaid() {
