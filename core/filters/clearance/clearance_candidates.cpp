@@ -27,6 +27,21 @@ void setSigns(std::array<ClearanceCandidate::Signs, 3>& signs, const CornerSides
   }
 }
 
+struct GridSquare {
+  std::uint8_t column = 0, row = 0;
+};
+
+/// All squares of an OpenGrid, in an order of which every beginning spreads over the grid.
+constexpr auto kSpreadSquares = [] {
+  std::array<GridSquare, OpenGrid::kSquares * OpenGrid::kSquares> squares{};
+  for (std::size_t i = 0; i < squares.size(); ++i)
+    for (std::size_t bit = 0, half = OpenGrid::kSquares / 2; half > 0; bit += 2, half /= 2) {
+      squares[i].column = static_cast<std::uint8_t>(squares[i].column + (i >> bit & 1) * half);
+      squares[i].row = static_cast<std::uint8_t>(squares[i].row + (i >> (bit + 1) & 1) * half);
+    }
+  return squares;
+}();
+
 }  // namespace
 
 bool ClearanceCandidate::takesAll() const {
@@ -230,14 +245,9 @@ bool ClearanceCandidates::proveCover() {
   const Vec3& base = mesh_.vertices[origin];
   OpenGrid grid(kernel_, face_);
   std::vector<std::int32_t> stack;
-  for (std::uint32_t i = 0; i < OpenGrid::kSquares * OpenGrid::kSquares; ++i) {
-    std::size_t column = 0, row = 0;
-    for (std::uint32_t bit = 0, half = OpenGrid::kSquares / 2; half > 0; bit += 2, half /= 2) {
-      column += (i >> bit & 1) * half;
-      row += (i >> (bit + 1) & 1) * half;
-    }
-    if (!grid.isOpen(column, row)) continue;
-    const auto [x, y] = grid.middle(column, row);
+  for (const GridSquare& square : kSpreadSquares) {
+    if (!grid.isOpen(square.column, square.row)) continue;
+    const auto [x, y] = grid.middle(square.column, square.row);
     Box box = box_;
     box.lower[0] = box.upper[0] = base.x + std::ldexp(x, -mesh_.grid.scaleExponent());
     box.lower[1] = box.upper[1] = base.y + std::ldexp(y, -mesh_.grid.scaleExponent());
@@ -250,9 +260,10 @@ bool ClearanceCandidates::proveCover() {
       if (candidate.coplanar && (mesh_.facing[obstacle] < 0 || obstacle > face_)) return true;
       dependsOnFloors_ = dependsOnFloors_ || candidate.coplanar;
       if (!candidate.coplanar || isFloor_(obstacle)) grid.cover(outlineInPlan(kernel_, obstacle, origin));
-      return grid.isOpen(column, row);
+      return grid.isOpen(square.column, square.row);
     });
-    if (grid.isOpen(column, row)) return false;
+    if (grid.isOpen(square.column, square.row)) return false;
+    if (grid.isClosed()) return true;
   }
   return true;
 }
