@@ -267,7 +267,7 @@ Index FaceTriangulation::cross(const Segment& segment, Index u, Index facet) {
       break;
     }
     const Facet& c = facets_[facet];
-    crossed_.push_back({c.corners[k], c.corners[next(k)]});
+    crossed_.push_back({{c.corners[k], c.corners[next(k)]}});
     const Index other = c.neighbors[k];
     if (other < 0) fail("a segment that leaves the face");
     const int j = neighborSlot(facets_[other], facet);
@@ -281,8 +281,10 @@ Index FaceTriangulation::cross(const Segment& segment, Index u, Index facet) {
   return target;
 }
 
-// An edge is found from a facet that had it, or was beside one that had it, when it was last looked at. Flips move it
-// to a neighbor; only rarely must it be looked for around its ends.
+// Edges are looked at in turns until each is flipped away. One that could not be flipped is looked at again only when a
+// facet beside it has changed: among points that are nearly on one line most edges are blocked for many turns. An edge
+// is found from a facet that had it, or was beside one that had it, when it was last looked at. Flips move it to a
+// neighbor; only rarely must it be looked for around its ends.
 void FaceTriangulation::flipAway(const Segment& segment) {
   const auto findNear = [&](const Edge& e, Index near) {
     const auto edgeIn = [&](Index facet) {
@@ -306,24 +308,39 @@ void FaceTriangulation::flipAway(const Segment& segment) {
     if (!findEdge(e[0], e[1], place)) fail("a lost edge");
     return place;
   };
-  std::vector<Index> near;  // of each crossed edge; each of them is beside the one before, until edges are flipped
-  near.reserve(2 * crossed_.size());
-  for (const Edge& e : crossed_) near.push_back(findNear(e, near.empty() ? -1 : near.back()).facet);
-  for (std::size_t head = 0; head < crossed_.size(); ++head) {
-    poll();
-    const Edge e = crossed_[head];
-    const Place place = findNear(e, near[head]);
-    const Index other = facets_[place.facet].neighbors[place.k];
-    const Index r = facets_[place.facet].corners[previous(place.k)];
-    const Index d = facets_[other].corners[previous(neighborSlot(facets_[other], place.facet))];
-    if (geometry_.orientation(r, e[0], d) > 0 && geometry_.orientation(r, d, e[1]) > 0) {
-      flip(place.facet, place.k);
-      if (sideOfSegment(segment, r) * sideOfSegment(segment, d) >= 0) continue;
-      crossed_.push_back({r, d});
-    } else {
-      crossed_.push_back(e);
+  Index beside = -1;  // each of them is beside the one before
+  for (Crossed& crossed : crossed_) beside = crossed.facet = findNear(crossed.edge, beside).facet;
+  flips_.resize(facets_.size(), 0);
+  while (!crossed_.empty()) {
+    std::size_t kept = 0;
+    bool isChanged = false;
+    for (std::size_t i = 0; i < crossed_.size(); ++i) {
+      poll();
+      Crossed at = crossed_[i];
+      if (at.isBlocked && flips_[at.facet] + flips_[at.other] == at.flips) {
+        crossed_[kept++] = at;
+        continue;
+      }
+      isChanged = true;
+      const Edge e = at.edge;
+      const Place place = findNear(e, at.facet);
+      at.facet = place.facet;
+      at.other = facets_[place.facet].neighbors[place.k];
+      const Index r = facets_[place.facet].corners[previous(place.k)];
+      const Index d = facets_[at.other].corners[previous(neighborSlot(facets_[at.other], place.facet))];
+      at.isBlocked = geometry_.orientation(r, e[0], d) <= 0 || geometry_.orientation(r, d, e[1]) <= 0;
+      if (!at.isBlocked) {
+        flip(place.facet, place.k);
+        ++flips_[at.facet];
+        ++flips_[at.other];
+        if (sideOfSegment(segment, r) * sideOfSegment(segment, d) >= 0) continue;
+        at.edge = {r, d};
+      }
+      at.flips = flips_[at.facet] + flips_[at.other];
+      crossed_[kept++] = at;
     }
-    near.push_back(place.facet);
+    if (!isChanged) fail("edges that cannot be flipped");
+    crossed_.resize(kept);
   }
 }
 
