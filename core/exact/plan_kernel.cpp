@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 #include "core/exact/plan_predicates.hpp"
 #include "core/exact/rounded_quotient.hpp"
+#include "core/exact/sign_of_area.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -15,13 +17,37 @@ namespace {
 // It only decides which of two right ways is taken.
 constexpr double kCoarse = 0x1p-26;
 
+// True when nothing underflows in predicates of source vertices, whose degree is three at most: with scaled multiples
+// of 2^-200 no product is below 2^-600, and none of a product and a bound of rounding below 2^-660. The rule of the
+// kernel is that of the highest degree, and doubts all of them on much coarser grids.
+bool isExactBelowProducts(const SignRule& rule, Grid grid, const std::vector<double>& heights) {
+  if (rule.zeroValid) return true;
+  const int scale = grid.scaleExponent();
+  for (const double h : heights) grid.include(h);
+  return grid.low + scale >= -200 && grid.top + scale <= 38;
+}
+
 bool hasCorners(const SourceMesh& mesh, Index triangle, Index a, Index b) {
   const auto& f = mesh.triangles[triangle];
   return (f[0] == a || f[1] == a || f[2] == a) && (f[0] == b || f[1] == b || f[2] == b);
 }
 
+int sgn(__int128 x) { return (x > 0) - (x < 0); }
+
+bool isMadeOfEdges(const PlanPoint& point) {
+  return point.kind() != PlanPoint::Crossing ||
+         (point.firstLine().kind == PlanLine::Edge && point.secondLine().kind == PlanLine::Edge);
+}
+
 template <class Integer>
 Homogeneous<Integer> homogeneousOn(const GridContext<Integer>& c, const PlanPoint& point) {
+  if constexpr (std::is_same_v<Integer, FixedInteger>) {
+    if (c.small && isMadeOfEdges(point)) {
+      const GridContext<__int128> few{c.mesh, c.heights, c.borders, c.gridExponent, true, true, c.origin, {}, 0};
+      const auto h = homogeneousOn(few, point);
+      return {FixedInteger(h[0]), FixedInteger(h[1]), FixedInteger(h[2])};
+    }
+  }
   auto h = rawHomogeneous(c, point);
   if (sgn(h[2]) < 0)
     for (Integer& x : h) negate(x);
@@ -82,7 +108,8 @@ DoubleContext PlanKernel::doubleContext(Index origin) const { return {*mesh_, sc
 
 template <class Integer>
 GridContext<Integer> PlanKernel::gridContext(Index origin) const {
-  return {*mesh_, heights_, borders_, grid_.low, grid_.width() <= kNarrowGrid, origin, {}, 0};
+  const int width = grid_.width();
+  return {*mesh_, heights_, borders_, grid_.low, width <= kNarrowGrid, width <= kSmallGrid, origin, {}, 0};
 }
 
 template <class Evaluate>
@@ -92,7 +119,10 @@ int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
 }
 
 int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
-  if (const MaybeSign s = sign_(planArea(doubleContext(0), a, b, c))) return *s;
+  if (isExactBelowProducts(sign_, mesh_->grid, heights_)) {
+    const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
+    if (const MaybeSign s = signOfArea({pa.x, pa.y}, {pb.x, pb.y}, {pc.x, pc.y})) return *s;
+  }
   ++count.orientation;
   return exactSign(0, [&](const auto& context) { return planArea(context, a, b, c); });
 }
@@ -261,11 +291,13 @@ Bounded quickCross(double ax, double ay, double bx, double by) {
 }  // namespace
 
 int PlanKernel::heightSign(Index face, Index vertex, Index level, ExactFallbacks& count) const {
-  if (sign_.zeroValid) {
+  const bool isExact = isExactBelowProducts(sign_, mesh_->grid, heights_);
+  if (isExact) {
     const Bounded quick = quickHeight(*mesh_, scaledHeights_, face, vertex, level);
-    if (std::fabs(quick.value) > quick.error + sign_.slack) return quick.value > 0 ? 1 : -1;
+    if (std::fabs(quick.value) > quick.error) return quick.value > 0 ? 1 : -1;
   }
-  if (const MaybeSign s = sign_(heightValue(doubleContext(0), face, vertex, level))) return *s;
+  const SignRule rule = isExact ? SignRule{0, true} : sign_;
+  if (const MaybeSign s = rule(heightValue(doubleContext(0), face, vertex, level))) return *s;
   ++count.height;
   return exactSign(0, [&](const auto& c) { return heightValue(c, face, vertex, level); });
 }

@@ -38,7 +38,8 @@ struct DoubleContext {
   const std::array<T, 3>& normal(Index t) const { return mesh.normals[t]; }
 };
 
-/// Integer is FixedInteger where the grid is narrow enough for it, else mpz_class.
+/// Integer is FixedInteger where the grid is narrow enough for it, else mpz_class. Single points fit __int128 on grids
+/// of few bits (kSmallGrid).
 template <class Integer>
 struct GridContext {
   using T = Integer;
@@ -47,6 +48,7 @@ struct GridContext {
   const BorderCoordinates& borders;
   int gridExponent;
   bool narrow;  ///< Grid::width() <= kNarrowGrid
+  bool small;   ///< Grid::width() <= kSmallGrid
   Index origin;
 
   T difference(Index a, Index b, int axis) const {
@@ -83,8 +85,13 @@ struct GridContext {
   mutable int latest = 0;
 };
 
+/// Up to this Grid::width() __int128 holds the coordinates of points that are made without traces: they have 4 D + 4
+/// bits, D being the width and one (fixed_integer.hpp).
+inline constexpr int kSmallGrid = 29;
+
 inline void negate(ErrorDouble& x) { x.value = -x.value; }
 inline void negate(FixedInteger& x) { x.negate(); }
+inline void negate(__int128& x) { x = -x; }
 inline void negate(mpz_class& x) { mpz_neg(x.get_mpz_t(), x.get_mpz_t()); }
 
 /// Twice the area in the plan of three source vertices.

@@ -13,6 +13,7 @@
 #include "core/exact/integer_triples.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/exact/rounded_quotient.hpp"
+#include "core/exact/sign_of_area.hpp"
 #include "tests/support/soup_generators.hpp"
 
 using namespace footfall;
@@ -214,6 +215,34 @@ class TestExactNumbers : public QObject {
           QVERIFY(store.wide(i)[k] == truth[i][k]);
         }
     }
+  }
+
+  // Places that are nearly or exactly on one line, with coordinates of few bits and of many.
+  void signsOfAreas() {
+    Random random(13);
+    const auto coordinate = [&](int bits) {
+      const double size = std::ldexp(static_cast<double>(random() >> (64 - bits)), 36 - bits);
+      return integer(random, 0, 1) == 0 ? size : -size;
+    };
+    int zeros = 0, open = 0, openZeros = 0;
+    for (int round = 0; round < 200000; ++round) {
+      const int bits = integer(random, 0, 1) == 0 ? 20 : 53;
+      const std::array<double, 2> p{coordinate(bits), coordinate(bits)}, q{coordinate(bits), coordinate(bits)};
+      const double t = integer(random, 0, 3) / 2.0 + (integer(random, 0, 1) == 0 ? 0 : 0.1);
+      std::array<double, 2> r{p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
+      for (double& c : r)
+        for (int ulps = integer(random, 0, 4); ulps > 2; --ulps) c = std::nextafter(c, 1e30);
+      const auto exact = [](double x) { return mpq_class(x); };
+      const mpq_class area = (exact(p[0]) - exact(r[0])) * (exact(q[1]) - exact(r[1])) -
+                             (exact(p[1]) - exact(r[1])) * (exact(q[0]) - exact(r[0]));
+      const MaybeSign sign = signOfArea(p, q, r);
+      zeros += sgn(area) == 0 ? 1 : 0;
+      open += sign ? 0 : 1;
+      openZeros += !sign && sgn(area) == 0 ? 1 : 0;
+      if (sign) QCOMPARE(*sign, sgn(area));
+    }
+    QVERIFY2(zeros > 10000 && open - openZeros < 20,
+             qPrintable(QString("%1 %2 %3").arg(zeros).arg(open).arg(openZeros)));
   }
 
   void numberedTable() {
