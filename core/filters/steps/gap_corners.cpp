@@ -6,9 +6,11 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/base/index_and_box.hpp"
+#include "core/base/triangle_tree.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
 namespace footfall::detail {
@@ -232,23 +234,34 @@ void NeedlessGaps::takeFrom(std::vector<GapStretch>& gaps, const std::vector<Ste
   moveChosen(gaps, isNeedless, gaps_);
 }
 
-// Places are sorted by x, so that each part is compared only with the places in its range of x.
+// Where needles cross each other, thousands of parts and of gaps lie about one place: for each gap a search ends with
+// the first part that is near.
 std::vector<std::size_t> NeedlessGaps::findNear(const std::vector<PlanSegment>& lost, Poll poll) const {
-  std::vector<std::size_t> byX(gaps_.size()), near;
-  for (std::size_t i = 0; i < byX.size(); ++i) byX[i] = i;
-  const auto xOf = [&](std::size_t i) { return gaps_[i].piece.corner->x; };
-  std::sort(byX.begin(), byX.end(), [&](std::size_t a, std::size_t b) { return xOf(a) < xOf(b); });
-  std::vector<char> isNear(gaps_.size(), 0);
+  std::vector<std::size_t> near;
+  if (lost.empty() || gaps_.empty()) return near;
+  std::vector<Box> boxes;
+  std::vector<std::int32_t> numbers(lost.size()), stack;
+  boxes.reserve(lost.size());
   for (const PlanSegment& part : lost) {
-    poll();
-    const auto [low, high] = std::minmax(part.fromX, part.toX);
-    auto at = std::partition_point(byX.begin(), byX.end(),
-                                   [&, least = low - reach_](std::size_t i) { return xOf(i) < least; });
-    for (; at != byX.end() && xOf(*at) <= high + reach_; ++at)
-      if (part.isNear(*gaps_[*at].piece.corner, reach_)) isNear[*at] = 1;
+    const auto [left, right] = std::minmax(part.fromX, part.toX);
+    const auto [bottom, top] = std::minmax(part.fromY, part.toY);
+    boxes.push_back({{left, bottom, 0}, {right, top, 0}});
   }
-  for (std::size_t i = 0; i < gaps_.size(); ++i)
-    if (isNear[i] != 0) near.push_back(i);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  TriangleTree tree;
+  tree.build(boxes, numbers, poll);
+  const double reach = reach_ * (1 + 0x1p-20);  // more than isNear() can be off by
+  for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    if (i % kPolled == 0) poll();
+    const Vec3& place = *gaps_[i].piece.corner;
+    bool isNear = false;
+    tree.visitOverlapping({{place.x - reach, place.y - reach, 0}, {place.x + reach, place.y + reach, 0}}, stack,
+                          [&](std::int32_t part) {
+                            isNear = lost[static_cast<std::size_t>(part)].isNear(place, reach_);
+                            return !isNear;
+                          });
+    if (isNear) near.push_back(i);
+  }
   return near;
 }
 
