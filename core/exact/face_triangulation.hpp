@@ -57,14 +57,14 @@ class FaceTriangulation {
 
  private:
   using Edge = std::array<Index, 2>;
-  /// An edge that a segment crosses, and the cells beside it when it was last looked at.
+  /// An edge that a segment crosses, and the facets beside it when it was last looked at.
   struct Crossed {
     Edge edge;
-    Index cell = -1, other = -1;
-    std::uint64_t flips = 0;  ///< flips of both cells until then
+    Index facet = -1, other = -1;
+    std::uint64_t flips = 0;  ///< flips of both facets until then
     bool isBlocked = false;   ///< it could not be flipped then
   };
-  /// Edge k of a cell.
+  /// Edge k of a facet.
   struct Place {
     Index facet = -1;
     int k = 0;
@@ -113,8 +113,8 @@ class FaceTriangulation {
   std::uint32_t polls_ = 0;
   // Working memory, kept for the next face.
   std::vector<Crossed> crossed_;
-  std::vector<std::uint64_t> flips_;  ///< of cells: how often flipAway() has changed them
-  std::vector<Index> unsettled_;      ///< cells that improve() has to look at
+  std::vector<std::uint64_t> flips_;  ///< of facets: how often flipAway() has changed them
+  std::vector<Index> unsettled_;      ///< facets that improve() has to look at
   std::vector<char> isUnsettled_;
 };
 

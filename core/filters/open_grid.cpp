@@ -61,23 +61,30 @@ class Slices {
     return {result.low - error_, result.high + error_};
   }
 
-  /// All between these two and between two heights lies in the true triangle; empty where low > high.
-  [[nodiscard]] Interval inside(double low, double high) const {
-    low -= error_, high += error_;
-    if (low < heights_.low || high > heights_.high) return {};
-    // The left side is convex and the right one concave, so that the ends of the slice are the narrowest.
-    double left = -kInfinity, right = kInfinity;
-    for (const double y : {low, high}) {
-      double first = kInfinity, last = -kInfinity;
-      for (std::size_t k = 0; k < 3; ++k) {
-        if (!passes(k, y)) continue;
-        const double x = at(k, y);
-        first = std::min(first, x + margins_[k]);
-        last = std::max(last, x - margins_[k]);
-      }
-      left = std::max(left, first);
-      right = std::min(right, last);
+  /// Where the sides pass a height: all between the two, taken in by the margins, lies inside there.
+  [[nodiscard]] Interval insideAt(double y) const {
+    Interval result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (!passes(k, y)) continue;
+      const double x = at(k, y);
+      result.low = std::min(result.low, x + margins_[k]);
+      result.high = std::max(result.high, x - margins_[k]);
     }
+    return result;
+  }
+  /// The heights between which a row lies, as insideAt() has to be asked for inside().
+  [[nodiscard]] double below(double low) const { return low - error_; }
+  [[nodiscard]] double above(double high) const { return high + error_; }
+  /// True when both are the same numbers.
+  [[nodiscard]] bool isExact() const { return error_ == 0; }
+  /// False: nothing between the heights below(low) and above(high) of a row is certain to lie inside.
+  [[nodiscard]] bool holds(double below, double above) const {
+    return !(below < heights_.low || above > heights_.high);
+  }
+  /// All between these two and between two heights, of which insideAt() is given, lies in the true triangle.
+  [[nodiscard]] Interval inside(const Interval& below, const Interval& above) const {
+    // The left side is convex and the right one concave, so that the ends of the slice are the narrowest.
+    const double left = std::max(below.low, above.low), right = std::min(below.high, above.high);
     return {left + error_, right - error_};
   }
 
@@ -149,18 +156,19 @@ OpenGrid::Row OpenGrid::columnsMeeting(double low, double high) const {
 }
 
 OpenGrid::Row OpenGrid::columnsWithin(double low, double high) const {
-  Row squares = columnsMeeting(low, high);
-  while (squares != 0) {
-    const auto first = static_cast<std::size_t>(std::countr_zero(squares));
-    if (x_[first] >= low) break;
-    squares &= squares - 1;
-  }
-  while (squares != 0) {
-    const auto last = kSquares - 1 - static_cast<std::size_t>(std::countl_zero(squares));
-    if (x_[last + 1] <= high) break;
-    squares &= ~(Row{1} << last);
-  }
-  return squares;
+  if (!(low <= high) || high < x_.front() || low > x_.back()) return 0;
+  // The first border that is not below `low`, and the last one that is not above `high`.
+  const auto borderAt = [&](double x) {
+    const double b = std::clamp((x - x_.front()) * columnsPerUnit_, 0.0, static_cast<double>(kSquares));
+    return static_cast<std::size_t>(b);
+  };
+  std::size_t first = borderAt(low), last = borderAt(high);
+  while (first > 0 && x_[first - 1] >= low) --first;
+  while (first < kSquares && x_[first] < low) ++first;
+  while (last < kSquares && x_[last + 1] <= high) ++last;
+  while (last > 0 && x_[last] > high) --last;
+  if (first >= last) return 0;
+  return (~Row{0} << first) & (~Row{0} >> (kSquares - last));
 }
 
 template <class Visit>
@@ -202,9 +210,16 @@ void OpenGrid::cover(const Outline& outline) {
   if (!mayMeet(outline)) return;
   const Slices triangle(outline);
   const Row columns = columnsMeeting(triangle.leftmost(), triangle.rightmost());
+  constexpr std::size_t kNone = kSquares;
+  std::size_t known = kNone;  // the row that begins where `upper` is known
+  Interval upper;
   visitRows(triangle.lowest(), triangle.highest(), [&](std::size_t row) {
-    if ((open_[row] & columns) == 0) return false;
-    const Interval inside = triangle.inside(y_[row], y_[row + 1]);
+    const double below = triangle.below(y_[row]), above = triangle.above(y_[row + 1]);
+    if ((open_[row] & columns) == 0 || !triangle.holds(below, above)) return false;
+    const Interval lower = known == row ? upper : triangle.insideAt(below);
+    upper = triangle.insideAt(above);
+    known = triangle.isExact() ? row + 1 : kNone;
+    const Interval inside = triangle.inside(lower, upper);
     open_[row] &= ~columnsWithin(inside.low, inside.high);
     return false;
   });
