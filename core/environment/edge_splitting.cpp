@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <numeric>
 #include <span>
 #include <vector>
@@ -20,6 +21,7 @@ namespace {
 __extension__ using Int128 = __int128;
 
 constexpr std::size_t kMostBeside = 8;
+constexpr std::size_t kPerTask = 2048;  // vertices or triangles
 
 struct NearVertex {
   Int128 along = 0;  ///< along the edge; a common scale
@@ -53,7 +55,12 @@ bool isBeside(const GridPlace& a, const GridPlace& b, const GridPlace& p, Int128
 /// Edges by the numbers of their places, the smaller one first, and the places beside each, from its first end on.
 class NearPlaces {
  public:
-  using Edge = std::array<Index, 2>;
+  /// The number of the smaller place in the upper half, that of the other in the lower one.
+  using Edge = std::uint64_t;
+
+  static Edge edgeOf(Index a, Index b) {
+    return static_cast<std::uint64_t>(std::min(a, b)) << 32U | static_cast<std::uint64_t>(std::max(a, b));
+  }
 
   NearPlaces(const std::vector<GridPlace>& places, std::vector<Edge> edges, const Poll& poll)
       : places_(places), edges_(std::move(edges)) {
@@ -69,21 +76,25 @@ class NearPlaces {
       const auto [low, high] = std::minmax_element(places.begin(), places.end(), by);
       if (low != places.end()) extent_ = std::max(extent_, static_cast<double>((*high)[k] - (*low)[k]));
     }
-    constexpr std::size_t kPerTask = 256;
-    parallelRanges(edges_.size(), kPerTask, [&](const auto& range) {
+    constexpr std::size_t kEdgesPerTask = 256;
+    parallelRanges(edges_.size(), kEdgesPerTask, [&](const auto& range) {
       poll();
-      for (std::size_t e = range.begin(); e != range.end(); ++e) beside_[e] = find(edges_[e]);
+      for (std::size_t e = range.begin(); e != range.end(); ++e) beside_[e] = search(edges_[e]);
     });
   }
 
   /// The places beside the edge, on the way from a to b.
   [[nodiscard]] std::vector<Index> between(Index a, Index b) const {
-    const Edge edge{std::min(a, b), std::max(a, b)};
-    const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
-    if (a == b || found == edges_.end() || *found != edge) return {};
-    std::vector<Index> places = beside_[static_cast<std::size_t>(found - edges_.begin())];
+    const std::vector<Index>* beside = a == b ? nullptr : find(edgeOf(a, b));
+    if (beside == nullptr) return {};
+    std::vector<Index> places = *beside;
     if (a > b) std::reverse(places.begin(), places.end());
     return places;
+  }
+
+  [[nodiscard]] bool hasBetween(Index a, Index b) const {
+    const std::vector<Index>* beside = a == b ? nullptr : find(edgeOf(a, b));
+    return beside != nullptr && !beside->empty();
   }
 
  private:
@@ -98,11 +109,19 @@ class NearPlaces {
     return bounds;
   }
 
-  [[nodiscard]] std::vector<Index> find(const Edge& edge) const {
-    const GridPlace &a = places_[edge[0]], &b = places_[edge[1]];
+  /// The places beside an edge, or null where there is no such edge.
+  [[nodiscard]] const std::vector<Index>* find(Edge edge) const {
+    const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
+    if (found == edges_.end() || *found != edge) return nullptr;
+    return &beside_[static_cast<std::size_t>(found - edges_.begin())];
+  }
+
+  [[nodiscard]] std::vector<Index> search(Edge edge) const {
+    const auto first = static_cast<Index>(edge >> 32U), last = static_cast<Index>(edge & 0xffffffffU);
+    const GridPlace &a = places_[first], &b = places_[last];
     std::vector<NearVertex> found;
     const auto look = [&](Index place) {
-      if (place == edge[0] || place == edge[1]) return;
+      if (place == first || place == last) return;
       NearVertex near{0, place};
       if (isBeside(a, b, places_[place], near.along)) found.push_back(near);
     };
@@ -170,28 +189,42 @@ std::uint64_t splitAtNearVertices(Environment& environment, double step, const P
   parallelSort(places.begin(), places.end());
   places.erase(std::unique(places.begin(), places.end()), places.end());
   poll();
-  std::vector<Index> placeOf;
+  std::vector<Index> placeOf(environment.vertices.size());
   std::vector<std::uint32_t> vertexAt(places.size());
-  for (const Vec3& p : environment.vertices)
-    placeOf.push_back(
-        static_cast<Index>(std::lower_bound(places.begin(), places.end(), gridPlace(p, step)) - places.begin()));
+  parallelRanges(placeOf.size(), kPerTask, [&](const auto& range) {
+    poll();
+    for (std::size_t v = range.begin(); v != range.end(); ++v)
+      placeOf[v] = static_cast<Index>(
+          std::lower_bound(places.begin(), places.end(), gridPlace(environment.vertices[v], step)) - places.begin());
+  });
   for (std::size_t v = placeOf.size(); v-- > 0;) vertexAt[placeOf[v]] = static_cast<std::uint32_t>(v);
   std::vector<NearPlaces::Edge> edges;
   for (const Triangle& triangle : triangles)
     for (std::size_t k = 0; k < 3; ++k) {
       const Index a = placeOf[triangle[k]], b = placeOf[triangle[(k + 1) % 3]];
-      if (a != b) edges.push_back({std::min(a, b), std::max(a, b)});
+      if (a != b) edges.push_back(NearPlaces::edgeOf(a, b));
     }
   const NearPlaces near(places, std::move(edges), poll);
   std::uint64_t count = 0;
   const std::size_t given = triangles.size();
+  const auto cornersAt = [&](std::size_t t) {
+    const Triangle& triangle = triangles[t];
+    return Corners{placeOf[triangle[0]], placeOf[triangle[1]], placeOf[triangle[2]]};
+  };
+  std::vector<char> isSplit(given);
+  parallelRanges(given, kPerTask, [&](const auto& range) {
+    poll();
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      const auto [a, b, c] = cornersAt(t);
+      isSplit[t] = near.hasBetween(a, b) || near.hasBetween(b, c) || near.hasBetween(c, a) ? 1 : 0;
+    }
+  });
   std::vector<Corners> pieces;
   for (std::size_t t = 0; t < given; ++t) {
-    Corners corners{};
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = placeOf[triangles[t][k]];
+    if (isSplit[t] == 0) continue;
+    const Corners corners = cornersAt(t);
     std::array<std::vector<Index>, 3> beside;
     for (std::size_t k = 0; k < 3; ++k) beside[k] = near.between(corners[k], corners[(k + 1) % 3]);
-    if (beside[0].empty() && beside[1].empty() && beside[2].empty()) continue;
     ++count;
     pieces.clear();
     cut(corners, {beside[0], beside[1], beside[2]}, pieces);
