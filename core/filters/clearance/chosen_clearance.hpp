@@ -1,4 +1,4 @@
-// The clearance filter for some floors of a part of an environment, whose other floors it does not look at.
+// The clearance filter for some floors of a part of an environment; its other floors are not computed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

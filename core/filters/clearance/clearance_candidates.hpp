@@ -53,13 +53,13 @@ class ClearanceCandidates {
   /// until the next call.
   std::span<const ClearanceCandidate> find(Index face);
 
-  /// The same, when all that may stand above the face in the plan within `knownHeight` is known.
+  /// Finds candidates when everything that may stand above the face in the plan within `knownHeight` is known.
   std::span<const ClearanceCandidate> find(Index face, const std::vector<Index>& known, double knownHeight);
 
   /// The same as the first, of what overlaps `box` in the plan.
   std::span<const ClearanceCandidate> findWithin(Index face, const Box& box);
 
-  /// Those of `obstacles` that find() would find if there was nothing else.
+  /// The candidates among `obstacles` that find() would return if there were no others.
   std::span<const ClearanceCandidate> findAmong(Index face, std::span<const Index> obstacles);
 
   [[nodiscard]] std::span<const ClearanceCandidate> found() const { return candidates_; }
@@ -105,8 +105,8 @@ class ClearanceCandidates {
   [[nodiscard]] Line lineThrough(Index from, Index to) const;
   /// Side of the line on which the source vertex lies in the plan: +1 left.
   [[nodiscard]] int sideOf(const Line& line, Index vertex);
-  /// True when the boxes of face and obstacle share, in the plan, no more than a border on which nothing of the
-  /// obstacle can stand on the face. False says nothing.
+  /// Returns true when the boxes of face and obstacle share, in the plan, at most a border on which no part of the
+  /// obstacle can stand on the face. False has no meaning.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
   /// The sides of a triangle's edges on which the corners of another one lie, with exactOrientations_: +1 left.
   [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
@@ -123,7 +123,7 @@ class ClearanceCandidates {
   /// Makes openSquares() of the candidates when that is due.
   void findOpenSquares();
   void closeSquares(const ClearanceCandidate& candidate);
-  /// True when a search need not look at the obstacle any closer.
+  /// Returns true when a search need not test the obstacle any further.
   [[nodiscard]] bool isLeftOut(Index obstacle) const;
 
   const PlanKernel& kernel_;

@@ -44,11 +44,12 @@ class ClearanceClipper : private FaceCutter {
   /// the next call, and as long as `earlier`.
   const FaceCuts& clip(Index face, const FaceCuts* earlier);
 
-  /// The same without earlier cuts, when all that may stand above the face in the plan within `knownHeight` is known.
+  /// Clips without earlier cuts, when everything that may stand above the face in the plan within `knownHeight` is
+  /// known.
   const FaceCuts& clip(Index face, const std::vector<Index>& known, double knownHeight);
 
-  /// The same where earlier cuts are known and only a part of them can have changed. Empty where the face has to be
-  /// clipped as a whole.
+  /// Updates known earlier cuts, only a part of which can have changed. Empty where the face has to be clipped as a
+  /// whole.
   std::optional<UpdatedCuts> update(Index face, const EarlierCuts& earlier);
 
   /// The data of the last clip() that update() needs; null when there is little to gain.

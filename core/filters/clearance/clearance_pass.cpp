@@ -68,8 +68,8 @@ bool ClearancePass::canShare(Index face) const {
   return !state_->cuts && known_->before(face) < 0 && !mayBeCrowded(face);
 }
 
-// Of everything in the box, which is never less than what stands in the clearance: so a face that is shared is none of
-// which the clipper would leave out anything.
+// Counts everything in the box, which is never less than the obstacles within the clearance, so the clipper leaves out
+// no obstacle of a shared face.
 bool ClearancePass::mayBeCrowded(Index face) const {
   std::atomic<Crowd>& known = crowding_[static_cast<std::size_t>(face)];
   if (const Crowd crowd = known.load(std::memory_order_relaxed); crowd != Crowd::Unknown) return crowd == Crowd::Many;

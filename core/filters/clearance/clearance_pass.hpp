@@ -46,8 +46,8 @@ class ClearancePass {
 
   /// The calling thread's own, for as long as the pass.
   Worker& worker();
-  /// Whether a face may be cut into shares: not when it has cuts of an earlier clearance, or known ones, and not when
-  /// there is such a crowd above it that what counts can only be found from all of it.
+  /// Returns whether a face may be cut into shares. It may not when it has cuts of an earlier clearance, or known ones,
+  /// and when the crowd above it is so deep that the relevant obstacles can only be found from all of it.
   [[nodiscard]] bool canShare(Index face) const;
   /// False: there is no crowd above the face.
   [[nodiscard]] bool mayBeCrowded(Index face) const;
@@ -58,21 +58,22 @@ class ClearancePass {
   FaceShare clipShare(Index face, std::span<const CellSide> sides, Worker& own);
   /// All parts of a floor's cuts.
   void joinShares(Index face, std::span<const FaceShare> shares, Worker& own);
-  /// How many segments a clipped floor has to be triangulated with; 0: it stays whole or is covered.
+  /// The number of segments with which a clipped floor has to be triangulated; 0: it stays whole or is covered.
   [[nodiscard]] std::size_t segments(Index face) const {
     return cuts_->isRemoved(face) ? 0 : (*cuts_)[face].segments.size();
   }
-  /// What another process found for a floor, in place of clip() and mesh(); `mesh` is null where mesh() makes none.
+  /// Sets the result of another process for a floor, instead of clip() and mesh(); `mesh` is null where mesh() makes
+  /// none.
   void setResult(Index face, std::shared_ptr<const FaceCuts> cuts, std::shared_ptr<const FaceMesh> mesh);
-  /// What was found for a floor; null: nothing cuts it, or there is no mesh.
+  /// The cuts of a floor, and its mesh; null where nothing cuts it, or where there is no mesh.
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& cutsOf(Index face) const { return cuts_->shared(face); }
   [[nodiscard]] const std::shared_ptr<const FaceMesh>& meshOf(Index face) const { return (*meshes_)[face]; }
-  /// How many triangles are left of a floor that is finished.
+  /// The number of remaining triangles of a finished floor.
   [[nodiscard]] std::size_t triangles(Index face) const;
   [[nodiscard]] const PlanKernel& kernel() const { return *result_->kernel; }
   /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.
   std::size_t mesh(Index face, Worker& own);
-  /// What the floors have become, for display.
+  /// The remaining floors, for display.
   [[nodiscard]] std::shared_ptr<const NavigationMesh> preview(std::span<const Index> faces) const;
 
   /// The filter's outcome, when every floor is clipped. `isMeshed`: mesh() was called for every floor, too. `walkable`
@@ -82,7 +83,7 @@ class ClearancePass {
  private:
   void keepCandidates(Index face, std::vector<Index> found);
   void keepLarge(Index face, std::shared_ptr<const LargeFace> large);
-  /// What is remembered of a face under many obstacles, by its earlier number; or null.
+  /// The stored data of a face under many obstacles, by its earlier number; or null.
   [[nodiscard]] std::shared_ptr<const LargeFace> largeBefore(Index faceBefore) const;
   /// False: the face must be clipped as a whole.
   bool clipNearChanges(Index face, Index faceBefore, Worker& own);

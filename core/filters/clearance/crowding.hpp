@@ -23,10 +23,11 @@ class Crowding {
   Crowding(const SourceMesh& mesh, Index face);
   /// Starts again above another face.
   void restart(Index face);
-  /// Starts again above another face with obstacles of which the depths are known: so many that are no walls.
+  /// Starts again above another face with obstacles whose depths are known; `areas` is the number of those that are no
+  /// walls.
   void restart(Index face, const Depths& depths, std::size_t areas);
   void add(Index obstacle);
-  /// Takes an obstacle away that is no wall, where depths() are known.
+  /// Removes an obstacle that is no wall, where depths() are known.
   void remove(const Box& obstacle);
   /// Known of many obstacles that are no crowd; else null.
   [[nodiscard]] const Depths* depths() const { return areas_ >= kFewest && !isCrowd() ? &depths_ : nullptr; }

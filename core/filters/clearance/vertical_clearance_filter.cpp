@@ -45,7 +45,7 @@ FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const
   std::vector<char> isGiant(count, 0);
   for (const Index t : giants) isGiant[t] = 1;
   const auto giantCount = static_cast<Index>(giants.size());
-  // What a giant under a crowd takes is no matter of its being one face of many. It tells how far it is.
+  // Progress of a giant under a crowd, whose work does not depend on its being one face of many.
   std::atomic<double> shareOfGiants{0};
   std::vector<std::atomic<double>> giantsDone(giants.size());
   std::atomic<Index> done{0}, nextTask{0};
