@@ -63,7 +63,7 @@ KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>
   return result;
 }
 
-/// For each face the numbers of the margins that reach it, ascending.
+/// The numbers of the margins that reach each face, ascending.
 struct MarginsOfFaces {
   std::vector<Index> faces;  ///< that have any, ascending
   std::vector<std::vector<Index>> margins;

@@ -22,7 +22,7 @@ constexpr double kTouch = MarginSurface::kTouch;
 constexpr double kNoise = 4096 * kTouch;  // of sums of turns
 constexpr std::size_t kSourcesPerTask = 8;
 
-/// What is on the side of a line that a unit vector points to.
+/// The half-plane on the side of a line that a unit vector points to.
 struct HalfPlane {
   PlanVector origin, normal;
   [[nodiscard]] double inside(const PlanVector& p) const { return dot(p - origin, normal); }
@@ -117,7 +117,8 @@ void BentMargins::findBent() {
   }
 }
 
-// Between chains of the smaller distance; those at which a chain of the larger one ends are sources themselves.
+// Finds the corners between chains of the smaller distance; corners at which a chain of the larger one ends are sources
+// themselves.
 void BentMargins::findCorners() {
   cornerOf_.assign(static_cast<std::size_t>(surface_.sideCount()), -1);
   std::vector<Index> fan;
@@ -131,7 +132,7 @@ void BentMargins::findCorners() {
   }
 }
 
-// How far round a fan reaches, in numbers of turnFrom(); nothing where doubles cannot say.
+// The extent of a fan, in numbers of turnFrom(); empty where doubles cannot decide it.
 std::optional<double> BentMargins::turnOf(const std::vector<Index>& fan) const {
   const PlanVector back = surface_.begin(MarginSurface::previousSide(fan.front())) - surface_.begin(fan.front());
   double turn = 0;
@@ -149,7 +150,7 @@ double BentMargins::slackAt(Index corner) const {
   return chain.behind < 0 ? chain.slack : std::max(chain.slack, chains_[chain.behind].slack);
 }
 
-// Of the end of a chain, where that or the next one has the larger distance.
+// The source at the end of a chain, where that chain or the next one has the larger distance.
 BentMargins::Source BentMargins::sourceAtEnd(Index corner) const {
   const BorderChain& chain = chains_[corner];
   Source source{chain.end, {}, 0, 0, slackAt(corner), {}, {1, 0}};
@@ -214,7 +215,7 @@ std::vector<Margin> BentMargins::find() const {
   };
   for (Found& some : found) take(some);
 
-  // In ascending order of what they have passed; of equal ones the first found.
+  // Sources are sorted by the length that they have passed; the first found comes first among equals.
   using Next = std::pair<double, std::size_t>;
   std::priority_queue<Next, std::vector<Next>, std::greater<>> queue;
   std::vector<char> isDone(chains_.size(), 0);

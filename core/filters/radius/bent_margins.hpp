@@ -47,7 +47,7 @@ struct ArcSteps {
 
 class BentMargins {
  public:
-  /// `asked`: what each chain keeps away, one of two distances. All must outlive it.
+  /// `asked` has the distance that each chain keeps, one of two. All arguments must outlive this object.
   BentMargins(const MarginSurface& surface, const ClipBox& box, const std::vector<BorderChain>& chains,
               const std::vector<double>& asked, const ArcSteps& arcs, RunContext& context);
 

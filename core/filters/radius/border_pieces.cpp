@@ -34,7 +34,7 @@ std::vector<EdgePiece> widened(const std::vector<EdgePiece>& ledges, double more
 
 constexpr double kLevel = 0x1p-20;  // of slopes
 
-/// Of a triangle that is not vertical, its normal and how high its plane is over the ends of the border.
+/// The normal of a triangle that is not vertical, and the height of its plane over the ends of the border.
 struct CoverHeights {
   Vec3 normal;
   double atBegin = 0, atEnd = 0;
@@ -48,8 +48,9 @@ CoverHeights heightsOver(const EdgeFrame& frame, const std::array<Vec3, 3>& corn
   return {n, above(frame.at(0)), above(frame.at(1))};
 }
 
-/// The triangle is as high over the border as the step or lower, or as the clearance or higher, to within rounding: so
-/// are floors and slopes that end where the area ends. Of very steep ones doubles do not tell.
+/// The triangle is at most as high over the border as the step, or at least as high as the clearance, to within
+/// rounding. This is true of floors and slopes that end where the area ends. Doubles do not decide it for very steep
+/// triangles.
 bool isBesideToRounding(BorderKinds& kinds, Index triangle) {
   if (kinds.kernel().mesh().facing[triangle] == 0) return false;
   const EdgeFrame& frame = kinds.frame();
@@ -59,9 +60,9 @@ bool isBesideToRounding(BorderKinds& kinds, Index triangle) {
          std::min(atBegin, atEnd) >= kinds.heightOf(kinds.heightLevel()) - frame.margin();
 }
 
-/// Where a triangle begins to be a wall right at the border: it is as high over it as the step and rises outwards, or
-/// as the clearance and falls. So are all borders that a slanting ceiling makes, to within rounding. What ends at the
-/// border, to within rounding, does neither.
+/// Pieces where a triangle begins to be a wall right at the border: it is as high over the border as the step and rises
+/// outwards, or as the clearance and falls. All borders of a slanting ceiling are such pieces, to within rounding. A
+/// triangle that ends at the border, to within rounding, does neither.
 std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   const EdgeFrame& frame = kinds.frame();
   const double step = kinds.heightOf(kinds.stepLevel()), height = kinds.heightOf(kinds.heightLevel());
@@ -89,8 +90,8 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   return walls;
 }
 
-/// What stands along the border to within rounding, as walls on which a product was cut do. Closed pieces; what is as
-/// high as the step or the clearance to within rounding is none.
+/// Pieces of the border with a wall along it to within rounding, such as the walls on which a product was cut. The
+/// pieces are closed; a wall as high as the step or the clearance, to within rounding, does not count.
 std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
   const EdgeFrame& frame = kinds.frame();
   const double hair = 2 * frame.margin();
@@ -141,8 +142,8 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
     pieces.push_back({side, begin, end, !isLedgeInDoubt_});
     return;
   }
-  // The side of a bridge over a gap, on no face: nothing stands there, but at its ends, where borders begin that know
-  // what they are and keep it away themselves.
+  // The side of a bridge over a gap, on no face. No wall stands there except at its ends, where borders begin that have
+  // a kind and a distance of their own.
   if (surface_.face(side) < 0) {
     pieces.push_back({side, begin, end, !isLedgeInDoubt_});
     return;

@@ -18,7 +18,7 @@ struct BorderPiece {
   double error = 0;  ///< error of ends that are no vertices; scaled
 };
 
-/// Whole sides, ascending, nothing known of their kind.
+/// Whole sides, ascending, of unknown kind.
 std::vector<BorderPiece> wholeBorders(const MarginSurface& surface);
 
 /// Divides borders of a state that has a mesh. Not for sharing between threads.

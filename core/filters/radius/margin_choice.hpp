@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// Not for sharing between threads.
+/// Threads cannot share it.
 class MarginChoice {
  public:
   /// Must outlive it.

@@ -14,7 +14,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kVerticesPerTask = 4096;
-constexpr std::size_t kPolled = 4095;  // bits that are 0 when it is time to ask
+constexpr std::size_t kPolled = 4095;  // bits that are 0 whenever a poll is due
 
 }  // namespace
 
@@ -74,7 +74,7 @@ MarginSurface::MarginSurface(const WalkableState& state, RunContext& context)
 
 bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
   fan.clear();
-  // Of several links or bridges the first leads on: to the borders behind the others one comes by their ends alone.
+  // The first of several links or bridges leads on: the borders behind the others are reached at their ends only.
   const auto hasOneWay = [&](Index side) {
     int ways = 0;
     for (const Index other : beyond(side))
@@ -93,7 +93,7 @@ bool MarginSurface::fanBehind(Index border, std::vector<Index>& fan) const {
   return true;
 }
 
-// From the last side of the fan on.
+// Starts from the last side of the fan.
 void MarginSurface::addAllWays(std::vector<Index>& fan) const {
   std::unordered_set<Index> seen(fan.begin(), fan.end());
   for (std::size_t i = fan.size() - 1; i < fan.size(); ++i) {

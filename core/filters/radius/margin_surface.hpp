@@ -58,9 +58,9 @@ class MarginSurface {
   static Index nextSide(Index side) { return side % 3 == 2 ? side - 2 : side + 1; }
   static Index previousSide(Index side) { return side % 3 == 0 ? side + 2 : side - 1; }
 
-  /// The sides that begin where `border` ends, around that place as far as the next border, which is the last of them;
-  /// for each but the last the next triangle is beyond it. Returns whether there are several ways on, because floors
-  /// overlap: then these are the sides on all of them, and the last one says nothing.
+  /// The sides that begin where `border` ends, around that place up to the next border, which is the last of them; the
+  /// next triangle is beyond each side except the last. Returns whether there are several ways on, because floors
+  /// overlap; the fan then has the sides on all of them, and its last one has no meaning.
   bool fanBehind(Index border, std::vector<Index>& fan) const;
 
  private:

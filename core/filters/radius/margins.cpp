@@ -21,10 +21,10 @@ constexpr double kShort = MarginSurface::kShort;
 constexpr double kTouch = MarginSurface::kTouch;
 constexpr Index kChainsPerTask = 16;
 
-/// Where one chain ends and the next one begins.
+/// The end of one chain and the beginning of the next.
 struct Corner {
-  /// Where neighbouring tangents of the arc meet, clockwise; of a mitre the one place where the two edges' parallels
-  /// meet. None where the two rectangles know nothing of each other.
+  /// The places where neighbouring tangents of the arc meet, clockwise; for a mitre, the one place where the two edges'
+  /// parallels meet. Empty where the two rectangles are independent.
   std::vector<PlanVector> tangents;
   std::vector<double> turns;  ///< of these, clockwise from the first chain's direction backwards
   std::size_t split = 0;      ///< the first chain has those up to this one, the second from here on
@@ -100,7 +100,7 @@ class MarginFinder {
                      least);
   }
 
-  /// What an agent keeps away from a border; a mere place counts as what is next to it, if that is more.
+  /// The distance that an agent keeps from a border; a single place has the larger distance of its neighbours.
   [[nodiscard]] double askedOf(const BorderChain& chain) const {
     double distance = chain.isLedge ? ledges_ : walls_;
     if (!chain.isShort) return distance;
@@ -163,7 +163,7 @@ class MarginFinder {
       addMitre(before, behind, corner);
   }
 
-  // From one turn to another one.
+  // Adds an arc between two turns.
   void addArc(const BorderChain& first, const BorderChain& second, double from, double to, Corner& corner) const {
     if (to < from - kTouch) return;
     const PlanVector back = -1.0 * first.along, apex = first.end;
@@ -189,9 +189,9 @@ class MarginFinder {
     corner.split = corner.hasSecond ? corner.tangents.size() / 2 : corner.tangents.size() - 1;
   }
 
-  // Where the border turns towards the walkable side, what is before one edge beyond the two edges' bisector is before
-  // the other edge, too, and not farther from it. So each polygon can end there, if both are long enough and reach the
-  // same triangles there.
+  // Where the border turns towards the walkable side, everything before one edge and beyond the two edges' bisector is
+  // also before the other edge, and not farther from it. Each polygon can therefore end there, if both are long enough
+  // and reach the same triangles there.
   void addMitre(Index before, Index behind, Corner& corner) const {
     const BorderChain &first = chains_[before], &second = chains_[behind];
     const PlanVector d = leftOf(first.along), e = leftOf(second.along);
@@ -208,7 +208,7 @@ class MarginFinder {
     corner.turns = {0};
   }
 
-  // Whether what reaches a triangle near these places is among the others, too.
+  // Returns whether everything that reaches a triangle near these places is also among the others.
   [[nodiscard]] bool reachesAll(const std::vector<Index>& some, const std::vector<Index>& others,
                                 const std::array<PlanVector, 3>& places) const {
     const double more = 2 * mostSlack_;
@@ -234,12 +234,12 @@ class MarginFinder {
     std::size_t first = 0, last = 0;
     bool isBehind = true;  ///< of the chain that comes before the corner
     [[nodiscard]] std::size_t size() const { return corner == nullptr ? 1 : last - first + 1; }
-    /// How far the arc goes away from the chain's own direction.
+    /// The angle between the arc's end and the chain's own direction.
     [[nodiscard]] double turn() const {
       if (corner == nullptr || corner->isMitre) return 0;
       return isBehind ? corner->turns[last] - 1 : corner->end - 1 - corner->turns[first];
     }
-    /// Nothing but the place next to the rectangle.
+    /// The part that is only the place next to the rectangle.
     [[nodiscard]] Part alone() const {
       return isBehind ? Part{corner, first, first, true} : Part{corner, last, last, false};
     }

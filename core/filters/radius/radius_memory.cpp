@@ -27,7 +27,7 @@ std::array<Vec3, 3> cornersOf(const SourceMesh& mesh, Index face) {
 /// Plan ids of one generation in another one; ascending in both.
 class NewNumbers {
  public:
-  // Nothing where their orders differ, or where one place has two numbers.
+  // Empty where their orders differ, or where one place has two numbers.
   static std::optional<NewNumbers> of(const std::vector<Index>& before, const std::vector<Index>& now) {
     NewNumbers numbers;
     for (std::size_t i = 0; i < before.size(); ++i) numbers.pairs_.emplace_back(before[i], now[i]);
