@@ -137,7 +137,7 @@ StateSummary summarize(const WalkableState& state) {
   StateSummary summary;
   const SourceMesh& source = state.kernel->mesh();
   const bool hasMesh = state.mesh != nullptr;
-  // Without branches: no two neighbours are alike.
+  // The loop has no branches, because neighbours differ at random.
   std::uint64_t faces = 0, floors = 0;
   const auto count = [&](const auto& isCovered) {
     for (std::size_t t = 0; t < source.triangles.size(); ++t) {

@@ -40,8 +40,9 @@ ErrorDouble twiceArea(const PlanKernel& kernel, const WalkableMesh& mesh, const 
   return twicePlanArea(mesh, t) * squareRoot(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]) / n[2];
 }
 
-// Whether each region's area in the plan alone, which is at most its surface area, proves it greater than the limit
-// (twice the minimum, scaled). Nearly all of a level's triangles are in such regions, and a few of each tell.
+// Marks regions whose area in the plan alone, which is at most their surface area, proves them larger than the limit
+// (twice the minimum, scaled). Nearly all of a level's triangles are in such regions, and a few triangles of each
+// suffice.
 std::vector<char> findLargeRegions(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<Index>& region,
                                    Index regionCount, double limit) {
   std::vector<char> large(regionCount, 0);
@@ -101,7 +102,7 @@ FilterOutcome applyArea(const StatePtr& given, double asked, const Recall& recal
   const double limit = std::ldexp(minimum, 2 * scale + 1);
   std::vector<char> keep = findLargeRegions(kernel, mesh, region, regionCount, limit);
   context.checkCancelled();
-  // What is left are small regions and those about as large as the minimum.
+  // The other regions are small, or about as large as the minimum.
   std::vector<Index> firstOf(regionCount + 1, 0);
   for (const Index r : region) firstOf[r + 1] += static_cast<Index>(keep[r] == 0);
   for (Index r = 0; r < regionCount; ++r) firstOf[r + 1] += firstOf[r];

@@ -7,7 +7,7 @@
 
 namespace footfall::detail {
 
-// An obstacle edge of a removed triangle stays where it is: obstacle edges are known by their vertices, so the
+// An obstacle edge of a removed triangle stays where it is. Obstacle edges are identified by their vertices, so the
 // neighbour that shares such an edge has it too (algorithm 3).
 FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context) {
   context.checkCancelled();

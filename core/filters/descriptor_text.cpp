@@ -170,7 +170,7 @@ std::string listFilters() {
   for (const FilterDescriptor& filter : filterDescriptors()) {
     const std::string usage = describeUsage(filter);
     const std::string_view help = filter.help;
-    // The first sentence says what the filter does; the rest is for `footfall filters NAME`.
+    // The first sentence describes the filter; the rest is shown by `footfall filters NAME`.
     const std::string_view sentence = help.substr(0, help.find_first_of(".:"));
     text += usage + std::string(width + 2 - usage.size(), ' ') + std::string(sentence) + '\n';
   }

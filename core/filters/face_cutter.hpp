@@ -117,7 +117,7 @@ class FaceCutter {
   std::uint8_t edgeWalls_ = 0;
   int startWinding_ = 0;  ///< see FaceCuts
 
-  // The sides of the cell whose share is being cut, and what is known of them.
+  // The sides of the cell whose share is being cut, and facts about them.
   std::span<const CellSide> sides_;
   std::vector<Index> sideLines_;
   std::vector<std::uint8_t> cellBorders_;  ///< bit i of each point: it lies on side i

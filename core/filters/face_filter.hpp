@@ -1,4 +1,4 @@
-// Filters that look at one triangle at a time: they need no environment around it.
+// Filters that test one triangle at a time and need no environment around it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

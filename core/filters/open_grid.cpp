@@ -49,7 +49,7 @@ class Slices {
   [[nodiscard]] double leftmost() const { return widths_.low - error_; }
   [[nodiscard]] double rightmost() const { return widths_.high + error_; }
 
-  /// Nothing of the true triangle between two heights lies outside.
+  /// The interval contains the true triangle between two heights.
   [[nodiscard]] Interval around(double low, double high) const {
     Interval result;
     low -= error_, high += error_;

@@ -64,7 +64,7 @@ class SeedFinder {
     std::ranges::sort(byX_, {}, [](const Scaled& s) { return std::pair(s.x.value, s.number); });
   }
 
-  /// For each seed the triangles that hold, at the height that the seed means, the place that it means; ascending.
+  /// The triangles of each seed: those that hold the seed's place at the height that the seed stands for; ascending.
   /// Throws ValueError for the first seed without one.
   std::vector<std::vector<Index>> find(RunContext& context) const {
     std::vector<std::vector<Index>> under = findUnder(context);
@@ -79,13 +79,13 @@ class SeedFinder {
   }
 
  private:
-  /// In the scaled coordinates of a mesh.
+  /// A place in the scaled coordinates of a mesh.
   struct Scaled {
     ErrorDouble x, y;
     std::size_t number = 0;
   };
 
-  // For each seed the triangles, with their outlines, that are at its place in the plan.
+  // The triangles at each seed's place in the plan, outlines included.
   [[nodiscard]] std::vector<std::vector<Index>> findUnder(RunContext& context) const {
     const WalkableMesh& mesh = *state_.mesh;
     using Pair = std::pair<std::size_t, Index>;
@@ -139,7 +139,7 @@ class SeedFinder {
     return true;
   }
 
-  // How far under the seed they are.
+  // The distance of the triangles below the seed.
   std::optional<mpq_class> keepHighest(std::size_t s, std::vector<Index>& triangles, RunContext& context) const {
     const std::vector<MeshTriangle>& all = state_.mesh->triangles;
     const PlanPlace place = exactPlace(s);

@@ -211,7 +211,7 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
     for (const SignAlong& sign : landing.inside) pieces.add(sign);
     pieces.add(landing.below);
     pieces.add(landing.deep);
-    // What lies over the landing, below the head of who starts.
+    // Obstacles over the landing, below the head of an agent at the start.
     std::vector<std::pair<const CoverAlong*, SignAlong>> over;
     for (std::size_t i = 0; i < kinds.covers().size(); ++i) {
       const CoverAlong& c = kinds.covers()[i];
@@ -253,7 +253,7 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
   const double margin = frame.margin(), height = kinds.heightOf(levels_.height);
   const Vec3 first = frame.local(places_[other.from]), last = frame.local(places_[other.to]);
   const double from = frame.along().at(first), to = frame.along().at(last);
-  // Who lands walks on away from the edge: seen from above the other border runs against it.
+  // An agent that lands walks on away from the edge: seen from above, the other border runs against it.
   if (!((from - to) * frame.length() > margin)) return;
   const auto linear = [&](const LinearFunction& f) {
     const double atFrom = f.at(first), slope = (f.at(last) - atFrom) / (to - from);
@@ -280,7 +280,7 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
     const double change = f.end - f.begin;
     return LinearFunction{frame.along().x * change, frame.along().y * change, 0, f.begin};
   };
-  // In length, so that the margin has its meaning.
+  // The functions are in units of length, so that the margin has its meaning.
   const LinearFunction behindBegin{frame.along().x * frame.length(), frame.along().y * frame.length(), 0,
                                    -piece.begin * frame.length()};
   const LinearFunction beforeEnd = LinearFunction{} - behindBegin + (piece.end - piece.begin) * frame.length();
@@ -288,7 +288,7 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
   const LinearFunction belowHead = LinearFunction{} - frame.above() + height;
   const std::vector<LinearFunction> way{
       behindBegin, beforeEnd, frame.outwards(), before, frame.above() + -kinds.heightOf(levels_.step), belowHead};
-  // Nothing is lower than the height over the landing, but what belongs to the landing itself.
+  // No obstacle is lower than the height over the landing, except the landing's own surroundings.
   const std::vector<LinearFunction> fall{
       behindBegin, beforeEnd, before, LinearFunction{} - before, frame.above() - along(rise) + -height / 2, belowHead};
   const BorderEdge end = edgeOf(other);

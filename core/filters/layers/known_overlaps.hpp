@@ -1,4 +1,4 @@
-// Layers where somebody else found which triangles lie above one another.
+// Layers from known pairs of triangles that lie above one another.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

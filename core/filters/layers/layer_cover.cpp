@@ -51,7 +51,7 @@ std::uint64_t LayerCover::keyOf(const Square& square) {
   return static_cast<std::uint64_t>(square.level) << 56 | static_cast<std::uint64_t>(square.x) << 28 | square.y;
 }
 
-// Decided by rounded coordinates with their bounds: false says nothing.
+// Decides by rounded coordinates with their bounds. False has no meaning.
 bool LayerCover::isInside(const Square& square, const PlanTriangle& t) const {
   const double side = std::ldexp(2 * kHalfSide, -square.level);
   const double left = -kHalfSide + side * square.x, bottom = -kHalfSide + side * square.y;

@@ -159,7 +159,8 @@ class LayerSubdivision {
     }
   }
 
-  // For each region whether it lies above itself; `within` gets the pairs that show it, where pairs are known.
+  // Decides for each region whether it lies above itself; `within` receives the pairs that show it, where pairs are
+  // known.
   std::vector<char> findDivided(std::vector<Pair>& within) {
     if (!knowsAllOverlaps_)
       return findDoubleCovers(region_, regionCount_, findTrianglesAcross(mesh_, topology_, context_), *kernel_, mesh_,
@@ -289,7 +290,7 @@ class LayerSubdivision {
     return layers;
   }
 
-  // The same without the pairs: the layers tell whether a piece overlaps them.
+  // Places pieces without the pairs: the layers decide whether a piece overlaps them.
   std::vector<std::uint32_t> placePieces() {
     std::vector<Index> first(pieceCount_ + 1, 0), triangles(count_);
     for (const Index p : piece_) ++first[p + 1];

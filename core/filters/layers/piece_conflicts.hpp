@@ -1,5 +1,5 @@
-// Which pieces of a region lie above one another, while the region is divided (layer_pieces.hpp): by lists of all
-// overlapping pairs of triangles, or by looking them up when a decision needs them. Both give the same answers.
+// The pieces of a region that lie above one another while the region is divided (layer_pieces.hpp). They are found by
+// lists of all overlapping pairs of triangles, or by a search when a decision needs them; both give the same answers.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

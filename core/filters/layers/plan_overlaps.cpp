@@ -69,7 +69,7 @@ class OverlapFinder {
     return !tooMany();
   }
 
-  // What is known of two triangles that are still there holds; others are compared with all.
+  // Results for two triangles that still exist are kept; other triangles are compared with all.
   void update(const std::vector<Pair>& before, const MeshRelation& relation) {
     const TriangleCorners corners(mesh_.triangles);
     across_.assign(mesh_.triangles.size() * 3, -1);
@@ -124,7 +124,8 @@ class OverlapFinder {
       return;
     }
     others_ = treeOf(triangles);
-    // In batches, so that of thousands of floors above each other few are before there are too many pairs.
+    // Triangles are processed in batches, so that few of thousands of floors above each other are done when there are
+    // too many pairs.
     Index round = 0;
     std::size_t batch = kFirstBatch;
     for (std::size_t begin = 0; begin < border.size() && !tooMany(); begin += batch, batch *= 2) {
@@ -137,8 +138,8 @@ class OverlapFinder {
     }
   }
 
-  // Looks up what the pairs from `known` on are linked with, beginning with a round that has not been; returns the next
-  // one.
+  // Searches everything that is linked with the pairs from `known` on, beginning with a new round; returns the next
+  // round.
   Index spread(std::size_t known, Index round) {
     std::vector<Index> queries;
     for (; known < pairs_.size() && !tooMany(); ++round) {
@@ -226,7 +227,7 @@ class OverlapFinder {
     return local.geometry.overlap(plan, planOf(o));
   }
 
-  /// Those of these triangles that were not looked up, and have a border side near a triangle that overlaps them.
+  /// The triangles that were not searched, and have a border side near a triangle that overlaps them.
   std::vector<Index> withPairsAtBorder(std::span<const Index> triangles) {
     forEach(triangles.size(), [&](Local& local, std::size_t i) {
       const Index t = triangles[i];
@@ -263,7 +264,8 @@ class OverlapFinder {
             {std::max(p.x[a], p.x[b]) + p.error, std::max(p.y[a], p.y[b]) + p.error}};
   }
 
-  /// Into how many parts a triangle is to be cut: as many times fewer of them reach a place than of whole boxes.
+  /// The number of parts into which a triangle is cut; this number reduces how many of them reach a place, compared
+  /// with whole boxes.
   [[nodiscard]] Index partCount(Index t) const {
     const PlanTriangle p = planOf(t);
     const Tree::Bounds b = boundsOf(p);
@@ -439,7 +441,8 @@ std::optional<std::vector<Pair>> findPlanOverlaps(const PlanKernel& kernel, cons
   OverlapFinder finder(kernel, mesh, context);
   const bool isComplete = finder.findAll(topology, most);
   if (tested != nullptr) *tested = finder.tested();
-  if (!isComplete) return std::nullopt;  // where it stopped is a matter of threads: not even fall-backs are told
+  // the place where it stopped depends on threads, so not even fall-backs are reported
+  if (!isComplete) return std::nullopt;
   return finder.take(fallbacks);
 }
 

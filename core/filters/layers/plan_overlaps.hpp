@@ -21,7 +21,7 @@ std::optional<std::vector<std::array<Index, 2>>> findPlanOverlaps(const PlanKern
                                                                   RunContext& context, ExactFallbacks& fallbacks,
                                                                   std::size_t* tested = nullptr);
 
-/// The same, when the pairs of an earlier mesh are known.
+/// Finds the overlaps when the pairs of an earlier mesh are known.
 std::vector<std::array<Index, 2>> updatePlanOverlaps(const std::vector<std::array<Index, 2>>& before,
                                                      const MeshRelation& relation, const PlanKernel& kernel,
                                                      const WalkableMesh& mesh, RunContext& context,

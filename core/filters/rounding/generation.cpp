@@ -182,7 +182,7 @@ class SoupBuilder {
       }
       const bool floor = state_.walkable[t] != 0;
       const FaceCuts* cuts = cutsOf(t);
-      // Of a divided one, what is left is in the mesh, too.
+      // The remaining part of a divided floor is in the mesh, too.
       const bool covered = cuts != nullptr && (cuts->removed || isDivided(t));
       if (floor && !covered && state_.mesh) continue;  // in the mesh
       const auto& f = source_.triangles[t];

@@ -44,8 +44,8 @@ struct CoveredRecall {
 };
 
 /// Rounds the state's mesh (if it has one) and repairs it; where there are links, its floors are those of the product,
-/// whose borders know what they are linked to. Everything that is no floor (any more) is in the soup as an
-/// obstacle: rejected triangles, covered parts of floors, and what AreaFilter took away.
+/// whose borders have their links. Everything that is not, or no longer, a floor is in the soup as an obstacle:
+/// rejected triangles, covered parts of floors, and regions that AreaFilter removed.
 GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, ExactFallbacks& fallbacks);
 
 /// The same, with a product of the state as its floors: they come first, in the product's order.

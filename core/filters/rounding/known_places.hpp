@@ -25,7 +25,7 @@ struct KnownPlaces {
   std::shared_ptr<const RoundedPlaces> rounded;
 };
 
-/// The same as roundVertices(), taken from `known` for vertices that are what they were.
+/// roundVertices() with results from `known` for vertices that have not changed.
 RoundedPlaces roundVertices(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices, const KnownPlaces& known,
                             RunContext& context);
 

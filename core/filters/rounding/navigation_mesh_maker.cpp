@@ -1,4 +1,4 @@
-// From the last state to the product: split along obstacle edges, rounded, repaired, with connections.
+// Makes the product from the last state: split along obstacle edges, rounded, repaired, with connections.
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <algorithm>
@@ -86,7 +86,7 @@ struct SplitParts {
   Adjacency topology;
 };
 
-// In place of layers, triangles have their numbers: all that follows carries those along.
+// Triangles have their numbers in place of layers; all later steps carry these along.
 SplitParts splitOf(const std::vector<MeshTriangle>& triangles, std::size_t vertexCount, const Adjacency& edges,
                    Poll poll) {
   std::vector<std::uint32_t> numbers(triangles.size());
@@ -106,7 +106,7 @@ std::vector<char> suspectsOf(const RoundedMesh& mesh, const std::vector<char>& s
   return suspects;
 }
 
-// Repairs can bring the two sides of an obstacle together: give each its own vertices once more.
+// Repairs can merge the two sides of an obstacle, so each side gets its own vertices once more.
 void splitAgain(RoundedMesh& mesh, const Adjacency& topology) {
   mesh = withPlaces(splitAtObstacleEdges(mesh.triangles, mesh.layers, mesh.vertices.size(), topology), mesh.vertices);
 }

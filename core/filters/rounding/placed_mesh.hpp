@@ -1,4 +1,4 @@
-// A walkable mesh that is no more exact: what the product is made of where nobody has the environment.
+// A walkable mesh that is no longer exact, from which the product is made without the environment.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 

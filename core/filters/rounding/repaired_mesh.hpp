@@ -96,7 +96,7 @@ class RepairedMesh {
         if (mesh_.triangles[t].corners[k] == a && mesh_.triangles[t].corners[next(k)] == b) visit(t);
     }
   }
-  /// No other triangle is on the same side of one of its edges.
+  /// Returns whether no other triangle is on the same side of one of its edges.
   [[nodiscard]] bool isConforming(Index t) {
     int found = 0;
     for (int k = 0; k < 3; ++k)

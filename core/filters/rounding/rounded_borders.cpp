@@ -40,13 +40,13 @@ std::vector<Border> findBorders(const RoundedMesh& mesh, const Adjacency& topolo
   return borders;
 }
 
-// p lies strictly between a and b, which differ; all three are known to be collinear.
+// Returns whether p lies strictly between a and b, which differ; the three points must be collinear.
 bool isBetween(const Vec3& a, const Vec3& p, const Vec3& b) {
   const Place pa = placeOf(a), pp = placeOf(p), pb = placeOf(b);
   return (pa < pp && pp < pb) || (pb < pp && pp < pa);  // order along a line is the order of x, then y, then z
 }
 
-/// What borders have in common with others that run the opposite way.
+/// Contacts of borders with others that run the opposite way.
 struct Contacts {
   std::vector<Index> closed;                       ///< borders that coincide with another one
   std::vector<std::pair<Index, Place>> innerEnds;  ///< borders, and ends of others strictly inside them

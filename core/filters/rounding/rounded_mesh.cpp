@@ -95,7 +95,7 @@ class RoundingRepair {
     return heightOver(t, extremeSides(mesh_[t].corners)[1]) <= kMostReach * mesh_.largest() && !mesh_.isConforming(t);
   }
 
-  // What is about each triangle at once.
+  // Snaps all triangles, with everything that lies near each of them.
   void snapAll(std::vector<Index> queue, RunContext& context) {
     NeedleSnapper snapper(mesh_);
     while (!queue.empty()) {
@@ -157,7 +157,7 @@ class RoundingRepair {
     const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) * kFoldedShare;
     return squaredLength(a, b) <= size * size;
   }
-  // How far a triangle's corner is from the line of its longest edge, in the plan.
+  // The distance of a triangle's corner from the line of its longest edge, in the plan.
   [[nodiscard]] double heightOver(Index t, int longest) const {
     const auto& c = mesh_[t].corners;
     const Vec3 &a = place(c[longest]), &b = place(c[next(longest)]), &p = place(c[previous(longest)]);
@@ -191,7 +191,7 @@ class RoundingRepair {
       if (!flip(t, longest, other, k, false)) changed_.insert(changed_.end(), {t, other});
       return true;
     }
-    // Where the neighbour is a needle too, one of the two new triangles may be turned over, and goes on from there.
+    // If the neighbour is a needle too, one of the two new triangles may be turned over, and is repaired next.
     return flip(t, longest, other, k, true);
   }
 
@@ -211,7 +211,7 @@ class RoundingRepair {
     return true;
   }
 
-  // Where nothing else helps: what is left is a slit without width.
+  // Removes a triangle that nothing else repairs, which leaves a slit without width.
   void takeOut(Index t) {
     const MeshTriangle triangle = mesh_[t];
     mesh_.kill(t);

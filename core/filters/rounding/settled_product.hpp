@@ -25,7 +25,7 @@ struct SettledProduct {
   SettledMesh settled;
 };
 
-/// So that it can be found while the layers are. The state has a mesh, whose edges `topology` has.
+/// Starts early, so that it runs while the layers are found. The state has a mesh, whose edges `topology` has.
 SettledProduct settleProduct(const WalkableState& state, const Adjacency& topology, const KnownPlaces& known,
                              RunContext& context);
 

@@ -207,7 +207,7 @@ bool NeedleSnapper::triangulate(Index t, Outline loop) {
   return true;
 }
 
-// No edge has two triangles on one side.
+// Returns whether no edge has two triangles on one side.
 bool NeedleSnapper::isConforming() {
   std::set<Edge> sides;
   const std::set<Index> gone(touched_.begin(), touched_.end());

@@ -73,7 +73,7 @@ class RegionSimplifier {
   /// Finds the ears of a fan's hole; false when there are none.
   bool cutEars(Index vertex, Fan& fan);
   bool cutAnyEars(Fan& fan);
-  /// Nothing that the fans stood for is farther than the bound from the new triangles; collects it.
+  /// Returns whether nothing that the fans stood for is farther than the bound from the new triangles; collects it.
   bool isWithinBound(Index vertex, std::vector<Index>& stoodFor);
   void replace(Fan& fan);
   void improve(std::span<const Index> triangles);

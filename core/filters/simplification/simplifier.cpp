@@ -73,7 +73,7 @@ WalkableMesh Simplifier::run(SimplifierMemory* memory) {
   };
   parallelFor(groups.firstOfTask.size() - 1, runTask);
   for (const RegionSimplifier& simplifier : simplifiers) fallbacks_ += simplifier.fallbacks();
-  // What is not needed any more makes room for the result.
+  // Memory that is no longer needed makes room for the result.
   mesh_.neighbors = {};
   mesh_.around = {};
   groups.triangles = {};
@@ -130,7 +130,7 @@ bool Simplifier::mayJoin(Index face, Index other) {
   return u[0] * v[0] + u[1] * v[1] + u[2] * v[2] > 1 - approximate_.tolerance;
 }
 
-// Nothing stands on the edge, both sides are in one layer, and neither is folded over the other.
+// Returns whether no obstacle stands on the edge, both sides are in one layer, and neither is folded over the other.
 bool Simplifier::isInner(std::span<const Index> sides) const {
   if (sides.size() != 2 || isObstacle(mesh_.triangles, sides)) return false;
   const auto& layers = given_.layers;

@@ -31,7 +31,8 @@ struct SimplifierMemory {
 
 class Simplifier {
  public:
-  /// Exact unless `approximate` says otherwise. `topology` is that of `mesh`; all must outlive this.
+  /// The result is exact unless `approximate` is set. `topology` is that of `mesh`; all arguments must outlive this
+  /// object.
   Simplifier(const PlanKernel& kernel, const WalkableMesh& mesh, const Adjacency& topology,
              const ApproximateSimplification& approximate, RunContext& context)
       : kernel_(kernel),
