@@ -18,9 +18,9 @@ namespace {
 // Vertices whose edges one task sorts; a mesh with fewer is done by one thread.
 constexpr Index kVerticesPerTask = 1024;
 constexpr Index kPolledTriangles = 1 << 16;
-// Triangles that one thread sorts by their vertices. Of more, each thread takes a part of the vertices and looks at the
-// blocks of triangles that may have some of them: few where vertices are numbered by their first use, all at worst.
-// With more threads than this, looking is all that they would do.
+// The number of triangles that one thread sorts by their vertices. With more triangles, each thread takes a part of the
+// vertices and scans the blocks of triangles that may have some of them: few where vertices are numbered by their first
+// use, all at worst. With more threads than this, they would only scan.
 constexpr Index kFewTriangles = 4096;
 constexpr Index kMostParts = 16;
 constexpr Index kTrianglesPerBlock = 1024;

@@ -14,7 +14,7 @@ bool hasGaps(const NavigationMesh& mesh) {
                      [](const StepLink& link) { return link.kind == StepKind::Gap; });
 }
 
-/// Whether the way from `p` to `q`, inside the face and beyond its side, crosses the side within the window.
+/// Returns whether the way from `p` to `q`, inside the face and beyond its side, crosses the side within the window.
 bool crossesWithin(const FieldEdge& edge, const FieldWindow& window, FieldVector p, FieldVector q, double tolerance) {
   const double sign = window.into == 0 ? 1 : -1;
   const double inside = std::max(0.0, sign * cross(edge.along, p - edge.begin));

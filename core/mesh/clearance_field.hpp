@@ -1,4 +1,4 @@
-// How far every place of a walkable mesh is from the border, computed once (docs/how-to/corridors.md).
+// The distance of every place of a walkable mesh from the border, computed once (docs/how-to/corridors.md).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -54,7 +54,8 @@ class ClearanceField {
     std::uint32_t feature = FieldEdge::kNone;
     FieldVector border;  ///< the feature's place that is nearest
   };
-  /// For a place on a face, relative to the surface's origin. No feature where the border is farther than the bound.
+  /// The nearest feature to a place on a face, relative to the surface's origin. There is none where the border is
+  /// farther than the bound.
   [[nodiscard]] Nearest at(std::uint32_t face, FieldVector p) const;
   /// The same for coordinates of the mesh.
   [[nodiscard]] Nearest at(std::uint32_t face, double x, double y) const {
@@ -72,7 +73,7 @@ class ClearanceField {
   /// The feature that the corner of a fan of the topology is, or FieldEdge::kNone.
   [[nodiscard]] std::uint32_t featureOfFan(std::uint32_t fan) const { return fanFeatures_[fan]; }
   [[nodiscard]] double margin() const { return 0x1p-40 * surface_.scale; }
-  /// How far beside its place a ray may pass.
+  /// The distance from its place at which a ray may pass.
   [[nodiscard]] double tolerance() const { return 0x1p-46 * surface_.scale; }
   [[nodiscard]] std::size_t windowCount() const { return windows_.size(); }
 

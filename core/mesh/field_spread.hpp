@@ -25,7 +25,7 @@ class FieldSpread {
   void run();
 
  private:
-  /// Which edge of the border begins at a corner that is a feature, and from where to where its rays go.
+  /// The edge of the border that begins at a corner that is a feature, and the range of directions of its rays.
   struct Cone {
     std::uint32_t edge = 0, feature = 0;
     double from = 0, to = 0;  ///< angles from the edge that begins there

@@ -41,7 +41,7 @@ struct FieldEdge {
 };
 
 /// Where two faces meet over a step, their sides lie over each other in the plan: there is one edge. Gaps are faces, by
-/// withBridges(). Faces that do not face up take no part: all their edges are FieldEdge::kNone.
+/// withBridges(). Faces that do not face up are left out: all their edges are FieldEdge::kNone.
 struct FieldSurface {
   FieldVector origin;  ///< what `places` are relative to: the middle of the mesh
   double scale = 1;    ///< no two places are farther apart in x or in y
@@ -49,7 +49,7 @@ struct FieldSurface {
   std::vector<Triangle> faces;
   SurfaceTopology topology;
   std::vector<FieldEdge> edges;
-  /// Of each side of a face: twice its edge, and one more where the face is the edge's second one.
+  /// The half-edges of each side of a face: twice its edge, and one more where the face is the edge's second one.
   std::vector<std::array<std::uint32_t, 3>> halves;
 
   [[nodiscard]] FieldVector corner(std::uint32_t face, int i) const { return places[faces[face][i % 3]]; }

@@ -11,7 +11,7 @@ namespace {
 
 using TwoStretches = std::array<std::array<double, 2>, 2>;
 
-/// Where a linear function is above 0.
+/// The stretches where a linear function is above 0.
 int aboveZero(double atLo, double slope, double lo, double hi, TwoStretches& stretches) {
   const double atHi = atLo + slope * (hi - lo);
   if (atLo <= 0 && atHi <= 0) return 0;

@@ -24,8 +24,8 @@ struct FieldFeature {
   [[nodiscard]] FieldVector nearestTo(FieldVector p) const;
 };
 
-/// From `lo` to `hi` along an edge the distance to a feature is `offset` + `slope` s (an edge), or the root of
-/// (s - `offset`) squared + `slope` (a corner).
+/// The distance to a feature from `lo` to `hi` along an edge is `offset` + `slope` s (an edge), or the root of (s -
+/// `offset`) squared + `slope` (a corner).
 struct FieldWindow {
   static constexpr std::uint8_t kNowhere = 2;
 
@@ -52,7 +52,7 @@ using FieldStretches = std::vector<std::array<double, 2>>;
 int fartherStretches(const FieldWindow& a, const FieldWindow& b, double margin, double lo, double hi,
                      std::array<std::array<double, 2>, 2>& stretches);
 
-/// Where the distances of two windows are equal, limits aside: up to two places. Returns how many.
+/// The places, up to two, where the distances of two windows are equal, ignoring their limits. Returns their number.
 int equalPlaces(const FieldWindow& a, const FieldWindow& b, std::array<double, 2>& places);
 
 /// Takes [lo, hi] out of stretches.
@@ -62,8 +62,8 @@ void takeOut(FieldStretches& stretches, double lo, double hi);
 /// adds is fresh, unless it goes nowhere. Returns whether something fresh came.
 bool addWindow(std::vector<FieldWindow>& windows, const FieldWindow& window, double margin);
 
-/// What is left of the windows of one edge when each of them loses what another one is nearer at by `margin`; in the
-/// order of `lo` and of the feature.
+/// The windows of one edge, each without the parts where another one is nearer by `margin`; in the order of `lo` and of
+/// the feature.
 std::vector<FieldWindow> nearestWindows(const std::vector<FieldWindow>& windows, double margin);
 
 }  // namespace footfall::detail

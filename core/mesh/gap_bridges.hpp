@@ -1,4 +1,4 @@
-// Gaps that an agent steps over as pieces of surface: so that whoever moves on a mesh need not know of them.
+// Gaps that an agent steps over as pieces of surface, so that code that moves on a mesh need not treat them separately.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
