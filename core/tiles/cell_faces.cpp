@@ -105,7 +105,7 @@ std::vector<std::size_t> CellCollector::ownBlocks(const OwnFloors& own) const {
   return blocks;
 }
 
-// Floors that touch boxes, but for those that are known.
+// Adds floors that touch boxes, except known ones.
 void CellCollector::addTouching(std::vector<Box> boxes, const Fits& fits, RunContext& context, Floors& floors,
                                 std::vector<std::uint32_t>& found) const {
   const BoxSet set(std::move(boxes), context);

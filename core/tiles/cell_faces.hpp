@@ -69,7 +69,7 @@ struct CellFaces {
   std::vector<std::uint8_t> obstacleOnly;
 };
 
-/// So many steps a cell sees at first: from its floors to others, and from those on.
+/// The number of steps that a cell sees at first, from its floors to others and from those on.
 inline constexpr int kUsualReach = 2;
 
 /// The size of a cell.

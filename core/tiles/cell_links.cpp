@@ -68,7 +68,7 @@ class LinkRows {
     return {s.end, s.begin, axis};
   }
 
-  // All is known of the first edges, and where the same piece was reached before.
+  // The first edges need no search, nor do places where the same piece was reached before.
   void reach(Piece piece) {
     if (first_.contains(piece.edge)) return;
     std::vector<Part>& known = reached_[piece.edge];

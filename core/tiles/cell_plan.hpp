@@ -15,7 +15,7 @@
 
 namespace footfall::detail {
 
-/// The findings of one look at each block.
+/// The findings of one pass over each block.
 struct BlockSurvey {
   Grid grid;                          ///< grid of all vertices but those of ignored faces alone
   std::vector<std::uint32_t> floors;  ///< number of faces of each block that may be floors

@@ -29,7 +29,7 @@ class CellRunner {
              std::uint64_t memory, RunContext& context);
 
   [[nodiscard]] const CellCollector& collector() const { return collector_; }
-  /// Those of the run; empty where all parts are floors.
+  /// The roles of the run; empty where all parts are floors.
   [[nodiscard]] const std::vector<PartRole>& roles() const { return roles_; }
   /// The limits of a cell that, with all that it sees, takes `seen` times what its own faces take.
   [[nodiscard]] CellLimits limits(std::uint64_t mostFaces, double seen) const;
@@ -40,7 +40,7 @@ class CellRunner {
   void setGrid(const Grid& grid) { grid_ = grid; }
   /// Lets cells run their steps from now on, without the triangles in `dropped`.
   void link(DroppedTriangles dropped);
-  /// So many bytes are in memory beside each cell.
+  /// Adds to the bytes that are in memory beside each cell.
   void charge(std::uint64_t bytes) { fixed_ += bytes; }
   /// Bytes for triangles at one time.
   [[nodiscard]] std::uint64_t free() const { return memory_ - fixed_; }

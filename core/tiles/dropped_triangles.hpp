@@ -13,11 +13,11 @@
 
 namespace footfall::detail {
 
-/// They have the number of their face in the environment, and their place among what local filters leave of it: cells
-/// that have the whole face have the same triangles in the same order.
+/// Triangles have the number of their face in the environment, and their place among the remainder that local filters
+/// leave of it: cells that have the whole face have the same triangles in the same order.
 class DroppedTriangles {
  public:
-  /// Those of a tile whose region is not kept.
+  /// Adds the triangles of a tile whose region is not kept.
   void add(const Tile& tile, const std::vector<Index>& regionOf, const std::vector<char>& keeps) {
     std::size_t t = 0;
     for (const TileFace& face : tile.faces)

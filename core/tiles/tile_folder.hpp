@@ -14,7 +14,7 @@ namespace footfall::detail {
 
 /// The name of a file in the folder of a run that is under way.
 inline constexpr const char* kUnfinishedRun = "unfinished";
-/// It may have these as well: what the other ranks look for, and the environment, packed for the run.
+/// The folder may also have these: the file that the other ranks look for, and the environment, packed for the run.
 inline constexpr const char* kSeenByRanks = "ranks";
 inline constexpr const char* kPackedForRun = "environment.ffenv";
 
@@ -54,7 +54,7 @@ class TileFolder : public TileStore {
 /// True when a run that did not end left the folder.
 [[nodiscard]] bool hasUnfinished(const std::string& folder);
 
-/// Whether there is nothing in the folder but what a run leaves that is killed in its first moments.
+/// Returns whether the folder has only files of a run that was killed in its first moments.
 [[nodiscard]] bool hasLeftoversOnly(const std::string& folder);
 
 /// Removes what a run that did not end left in its folder. No other process may be at work there.

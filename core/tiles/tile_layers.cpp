@@ -37,7 +37,7 @@ Tree::Bounds boundsOf(const PlanTriangle& p) {
 }
 
 /// All pairs that overlap in the plan, of a triangle of the one tile and one of the other.
-// Nothing where there are more than `most`.
+// Empty where there are more than `most`.
 std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, std::size_t tile, std::uint64_t most,
                                                  RunContext& context) {
   const WalkableMesh& mesh = made.mesh();

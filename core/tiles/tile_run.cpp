@@ -281,7 +281,8 @@ class TileRun {
     if (!steps_.global.empty()) runGlobalSteps();
   }
 
-  // Filters that see over the borders of tiles, one after another; then nobody needs to know what vertices are made of.
+  // Runs filters that need several tiles, one after another; afterwards the provenance of vertices is not needed any
+  // more.
   void runGlobalSteps() {
     TileStage stage{store_, tileCount(), {}, grid_, runner_.free(), {}};
     stage.failTooLittle = [this](std::uint64_t bytes) { runner_.failTooLittle(bytes); };
@@ -354,7 +355,7 @@ class TileRun {
     });
   }
 
-  // Those of the cells, and that of what gaps change.
+  // The tiles of the cells, and the one of everything that gaps change.
   [[nodiscard]] std::size_t tileCount() const { return cells_.size() + (hasListed_ ? 1 : 0); }
   [[nodiscard]] OwnFloors ownOf(std::size_t tile) const {
     return tile < cells_.size() ? OwnFloors{cells_[tile]} : OwnFloors{{}, &atGaps_};
