@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Vertices are sorted by x, y, z and welded; triangles start at their smallest vertex and are sorted by their vertices.
-// So nothing that follows can depend on the order of the input, and "first in a fixed geometric order" (design,
-// section 2) is simply "smaller index".
+// Results therefore cannot depend on the order of the input (model, The same answer): the first element in a fixed
+// geometric order is the one with the smaller index.
 #pragma once
 
 #include <array>

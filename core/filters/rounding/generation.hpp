@@ -1,5 +1,5 @@
-// A new generation: the whole environment with double coordinates again, so that constructions never nest (design,
-// section 2).
+// Makes a new generation: the whole environment with double coordinates again, so that constructions never nest
+// (model, Generations).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
