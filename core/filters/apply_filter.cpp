@@ -2,7 +2,6 @@
 #include "core/filters/apply_filter.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
@@ -49,63 +48,48 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   return state;
 }
 
-namespace {
-
-struct FilterCall {
-  const std::vector<double>& values;
-  const StatePtr& state;
-  const Recall& recall;
-  RunContext& context;
-};
-
-struct FilterFunction {
-  FilterType type;
-  FilterOutcome (*apply)(const FilterCall& call);
-};
-
-// The table of filters: what is called for each descriptor of a filter that runs on its own.
-constexpr std::array kFilterFunctions = {
-    FilterFunction{FilterType::Duplication,
-                   [](const FilterCall& f) { return applyDuplication(f.state, f.values[0], f.context); }},
-    FilterFunction{FilterType::Degeneracy, [](const FilterCall& f) { return applyDegeneracy(f.state, f.context); }},
-    FilterFunction{FilterType::Slope,
-                   [](const FilterCall& f) { return applySlope(f.state, f.values[0], f.values[1], f.context); }},
-    FilterFunction{
-        FilterType::VerticalClearance,
-        [](const FilterCall& f) { return applyVerticalClearance(f.state, f.values[0], f.recall, f.context); }},
-    FilterFunction{
-        FilterType::Step,
-        [](const FilterCall& f) { return applyStep(f.state, f.values[0], f.values[1], f.recall, f.context); }},
-    FilterFunction{FilterType::Radius,
-                   [](const FilterCall& f) {
-                     return applyRadius(f.state, f.values[0], f.values[1], f.values[2], f.recall, f.context);
-                   }},
-    FilterFunction{FilterType::Drop,
-                   [](const FilterCall& f) { return applyDrop(f.state, f.values[0], f.values[1], f.context); }},
-    FilterFunction{FilterType::Reachable,
-                   [](const FilterCall& f) { return applyReachable(f.state, f.values, f.context); }},
-    FilterFunction{FilterType::Area,
-                   [](const FilterCall& f) { return applyArea(f.state, f.values[0], f.recall, f.context); }},
-    FilterFunction{FilterType::Simplification,
-                   [](const FilterCall& f) {
-                     return applySimplification(f.state, f.values[0] != 0, f.values[1], f.recall, f.context);
-                   }},
-    FilterFunction{FilterType::LayerSubdivision,
-                   [](const FilterCall& f) { return applyLayerSubdivision(f.state, f.recall, f.context); }},
-    FilterFunction{FilterType::Rounding,
-                   [](const FilterCall& f) { return applyRounding(f.state, f.values[0] != 0, f.context); }},
-};
-
-}  // namespace
-
+// Without a default, so that a filter that is left out does not compile.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wswitch"
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,
                           RunContext& context, const Recall& recall) {
   context.checkCancelled();
-  const auto* const function = std::ranges::find(kFilterFunctions, filter.type, &FilterFunction::type);
-  if (function == kFilterFunctions.end())
-    throw std::logic_error(std::string(filter.name) + " is no filter that runs on its own");
-  return function->apply({values, state, recall, context});
+  switch (filter.type) {
+    case FilterType::Duplication:
+      return applyDuplication(state, values[0], context);
+    case FilterType::Degeneracy:
+      return applyDegeneracy(state, context);
+    case FilterType::Slope:
+      return applySlope(state, values[0], values[1], context);
+    case FilterType::VerticalClearance:
+      return applyVerticalClearance(state, values[0], recall, context);
+    case FilterType::Step:
+      return applyStep(state, values[0], values[1], recall, context);
+    case FilterType::Radius:
+      return applyRadius(state, values[0], values[1], values[2], recall, context);
+    case FilterType::Drop:
+      return applyDrop(state, values[0], values[1], context);
+    case FilterType::Reachable:
+      return applyReachable(state, values, context);
+    case FilterType::Area:
+      return applyArea(state, values[0], recall, context);
+    case FilterType::Simplification:
+      return applySimplification(state, values[0] != 0, values[1], recall, context);
+    case FilterType::LayerSubdivision:
+      return applyLayerSubdivision(state, recall, context);
+    case FilterType::Rounding:
+      return applyRounding(state, values[0] != 0, context);
+    case FilterType::GridStrategy:
+    case FilterType::RecursiveStrategy:
+    case FilterType::SortedRecursiveStrategy:
+    case FilterType::HeightAwareStrategy:
+    case FilterType::AutoStrategy:
+    case FilterType::Collapse:
+      break;
+  }
+  throw std::logic_error(std::string(filter.name) + " is no filter that runs on its own");
 }
+#pragma GCC diagnostic pop
 
 namespace {
 

@@ -7,11 +7,13 @@
 
 #include "core/assembly/walkable_state.hpp"
 #include "core/filters/apply_filter.hpp"
+#include "core/filters/face_filter.hpp"
 
 namespace footfall::detail {
 
 FilterOutcome applyDuplication(const StatePtr& state, double distance, RunContext& context);
 FilterOutcome applyDegeneracy(const StatePtr& state, RunContext& context);
+FaceTest makeSlopeTest(double degrees, double tolerance, const std::shared_ptr<const PlanKernel>& kernel);
 FilterOutcome applySlope(const StatePtr& state, double degrees, double tolerance, RunContext& context);
 FilterOutcome applyVerticalClearance(const StatePtr& state, double height, const Recall& recall, RunContext& context);
 FilterOutcome applyStep(const StatePtr& state, double step, double gap, const Recall& recall, RunContext& context);

@@ -2,18 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include <array>
-#include <atomic>
 #include <charconv>
 #include <cmath>
 #include <string>
 
-#include "core/base/parallel.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/face_filter.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/mesh/mesh_topology.hpp"
-#include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -30,7 +25,7 @@ double areaOf(const SourceMesh& mesh, std::size_t face) {
 
 /// The floors that the filter has removed and that lie just beyond its limit, in degrees; empty where there are none.
 Text nearlyWithin(const WalkableState& before, const WalkableState& after, double limit) {
-  const FaceTest isNear = makeFaceTest(filterDescriptor(FilterType::Slope), {limit, kNear}, before.kernel);
+  const FaceTest isNear = makeSlopeTest(limit, kNear, before.kernel);
   ExactFallbacks ignored;
   double area = 0;
   for (std::size_t t = 0; t < after.walkable.size(); ++t)
@@ -45,35 +40,24 @@ Text nearlyWithin(const WalkableState& before, const WalkableState& after, doubl
 
 }  // namespace
 
+FaceTest makeSlopeTest(double degrees, double tolerance, const std::shared_ptr<const PlanKernel>& kernel) {
+  const double steepest = slopeLimit(degrees, tolerance);
+  return [kernel, limit = SlopeLimit(steepest), degrees = steepest](Index face, ExactFallbacks& count) {
+    const SourceMesh& mesh = kernel->mesh();
+    if (const MaybeSign sign = limit.compare(mesh.normals[face], kernel->sign())) return *sign > 0;
+    const auto& f = mesh.triangles[face];
+    bool beyondDoubles = false;
+    const bool within =
+        isWithinSlope(mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]], degrees, &beyondDoubles);
+    if (beyondDoubles) ++count.slope;
+    return within;
+  };
+}
+
 FilterOutcome applySlope(const StatePtr& state, double degrees, double tolerance, RunContext& context) {
-  const FaceTest isWithin = makeFaceTest(filterDescriptor(FilterType::Slope), {degrees, tolerance}, state->kernel);
-  auto result = std::make_shared<WalkableState>(*state);
-  std::atomic<std::uint64_t> fallbacks{0};
-  parallelRanges(result->walkable.size(), 1024, [&](const auto& range) {
-    context.checkCancelled();
-    ExactFallbacks count;
-    for (std::size_t t = range.begin(); t != range.end(); ++t)
-      if (result->walkable[t] != 0) result->walkable[t] = static_cast<char>(isWithin(static_cast<Index>(t), count));
-    fallbacks.fetch_add(count.slope, std::memory_order_relaxed);
-  });
-  if (state->mesh) {
-    // Parts keep the plane of the face that they were cut from.
-    auto mesh = std::make_shared<WalkableMesh>();
-    mesh->vertices = state->mesh->vertices;
-    mesh->layerCount = state->mesh->layerCount;
-    for (std::size_t i = 0; i < state->mesh->triangles.size(); ++i) {
-      const MeshTriangle& t = state->mesh->triangles[i];
-      if (result->walkable[t.face] == 0) continue;
-      mesh->triangles.push_back(t);
-      if (!state->mesh->layers.empty()) mesh->layers.push_back(state->mesh->layers[i]);
-    }
-    if (!state->mesh->links.empty())
-      mesh->links =
-          linksBetween(state->mesh->links, mesh->triangles, findEdges(mesh->triangles, mesh->vertices.size()));
-    result->mesh = mesh;
-  }
-  FilterOutcome outcome{result, nearlyWithin(*state, *result, slopeLimit(degrees, tolerance)), {}};
-  outcome.fallbacks.slope = fallbacks;
+  const FaceTest isWithin = makeSlopeTest(degrees, tolerance, state->kernel);
+  FilterOutcome outcome = keepFaces(state, isWithin, context);
+  outcome.note = nearlyWithin(*state, *outcome.state, slopeLimit(degrees, tolerance));
   return outcome;
 }
 

@@ -6,8 +6,8 @@
 
 namespace footfall {
 
-/// The types by which code decides; files and people use the names of filters. The order is that of
-/// filterDescriptors().
+/// The types by which code decides; files and people use the names of filters. The order is the one in which users see
+/// the filters.
 enum class FilterType : std::uint8_t {
   Duplication,
   Degeneracy,
@@ -28,5 +28,8 @@ enum class FilterType : std::uint8_t {
   AutoStrategy,
   Collapse
 };
+
+/// The number of types: that of the last one, and one more.
+inline constexpr std::uint8_t kFilterTypes = static_cast<std::uint8_t>(FilterType::Collapse) + 1;
 
 }  // namespace footfall
