@@ -1680,6 +1680,118 @@
         <translation>%1: %2 sieht über Zellen hinaus und kann keine Speichergrenze einhalten; lassen Sie ihn weg, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
     </message>
     <message>
+        <source>Not walkable: without area</source>
+        <translation>Nicht begehbar: ohne Fläche</translation>
+    </message>
+    <message>
+        <source>The corners of this triangle lie on one line.</source>
+        <translation>Die Ecken dieses Dreiecks liegen auf einer Linie.</translation>
+    </message>
+    <message>
+        <source>Not walkable: too steep</source>
+        <translation>Nicht begehbar: zu steil</translation>
+    </message>
+    <message>
+        <source>It rises by %1; at most %2 are allowed.</source>
+        <translation>Es steigt um %1; höchstens %2 sind erlaubt.</translation>
+    </message>
+    <message>
+        <source>Too steep</source>
+        <translation>Zu steil</translation>
+    </message>
+    <message>
+        <source>Not walkable: too low</source>
+        <translation>Nicht begehbar: zu niedrig</translation>
+    </message>
+    <message>
+        <source>Triangle %3 is %1 above it; agents need %2.</source>
+        <translation>Dreieck %3 liegt %1 darüber; Agenten brauchen %2.</translation>
+    </message>
+    <message>
+        <source>Something is above it within the %2 that agents need.</source>
+        <translation>Etwas liegt darüber, innerhalb der %2, die Agenten brauchen.</translation>
+    </message>
+    <message>
+        <source>Too little headroom</source>
+        <translation>Zu wenig Kopffreiheit</translation>
+    </message>
+    <message>
+        <source>Not walkable: too near a border</source>
+        <translation>Nicht begehbar: zu nah an einem Rand</translation>
+    </message>
+    <message>
+        <source>Agents stay %2 away from borders.</source>
+        <translation>Agenten bleiben %2 von Rändern weg.</translation>
+    </message>
+    <message>
+        <source>Too near a border</source>
+        <translation>Zu nah an einem Rand</translation>
+    </message>
+    <message>
+        <source>Not walkable: too near a wall</source>
+        <translation>Nicht begehbar: zu nah an einer Wand</translation>
+    </message>
+    <message>
+        <source>Agents stay %2 away from walls; this place is %1 from the nearest one.</source>
+        <translation>Agenten bleiben %2 von Wänden weg; dieser Ort ist %1 von der nächsten entfernt.</translation>
+    </message>
+    <message>
+        <source>Agents stay %2 away from walls.</source>
+        <translation>Agenten bleiben %2 von Wänden weg.</translation>
+    </message>
+    <message>
+        <source>Too near a wall</source>
+        <translation>Zu nah an einer Wand</translation>
+    </message>
+    <message>
+        <source>Not walkable: too near a ledge</source>
+        <translation>Nicht begehbar: zu nah an einer Kante</translation>
+    </message>
+    <message>
+        <source>Agents stay %2 away from ledges: drops and ends of the world; this place is %1 from the nearest one.</source>
+        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und Enden der Welt; dieser Ort ist %1 von der nächsten entfernt.</translation>
+    </message>
+    <message>
+        <source>Agents stay %2 away from ledges: drops and ends of the world.</source>
+        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und Enden der Welt.</translation>
+    </message>
+    <message>
+        <source>Too near a ledge</source>
+        <translation>Zu nah an einer Kante</translation>
+    </message>
+    <message>
+        <source>Not walkable: unreachable</source>
+        <translation>Nicht begehbar: unerreichbar</translation>
+    </message>
+    <message>
+        <source>It cannot be reached from the seeds.</source>
+        <translation>Es kann von den Startpunkten aus nicht erreicht werden.</translation>
+    </message>
+    <message>
+        <source>Cannot be reached</source>
+        <translation>Nicht erreichbar</translation>
+    </message>
+    <message>
+        <source>Not walkable: too small an area</source>
+        <translation>Nicht begehbar: zu kleine Fläche</translation>
+    </message>
+    <message>
+        <source>The connected region around it has an area of %1; it must have more than %2.</source>
+        <translation>Das zusammenhängende Gebiet darum hat eine Fläche von %1; es muss mehr als %2 haben.</translation>
+    </message>
+    <message>
+        <source>Too small an area</source>
+        <translation>Zu kleine Fläche</translation>
+    </message>
+    <message>
+        <source>Not walkable: merged away</source>
+        <translation>Nicht begehbar: verschmolzen</translation>
+    </message>
+    <message>
+        <source>The filter moved vertices, and no triangle is here any more.</source>
+        <translation>Der Filter hat Ecken bewegt, und hier ist kein Dreieck mehr.</translation>
+    </message>
+    <message>
         <source>%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without the bound, with all of the environment in memory</source>
         <translation>%1: %2 steht hinter einem AreaFilter, der alle Zellen braucht; setzen Sie ihn davor, oder rechnen Sie ohne die Grenze, mit der ganzen Umgebung im Speicher</translation>
     </message>
@@ -2516,37 +2628,6 @@
     </message>
 </context>
 <context>
-    <name>Legend</name>
-    <message>
-        <source>Too steep</source>
-        <translation>Zu steil</translation>
-    </message>
-    <message>
-        <source>Too little headroom</source>
-        <translation>Zu wenig Kopffreiheit</translation>
-    </message>
-    <message>
-        <source>Too small an area</source>
-        <translation>Zu kleine Fläche</translation>
-    </message>
-    <message>
-        <source>Too near a border</source>
-        <translation>Zu nah an einem Rand</translation>
-    </message>
-    <message>
-        <source>Cannot be reached</source>
-        <translation>Nicht erreichbar</translation>
-    </message>
-    <message>
-        <source>Too near a wall</source>
-        <translation>Zu nah an einer Wand</translation>
-    </message>
-    <message>
-        <source>Too near a ledge</source>
-        <translation>Zu nah an einer Kante</translation>
-    </message>
-</context>
-<context>
     <name>ViewMode</name>
     <message>
         <source>Result</source>
@@ -2624,10 +2705,6 @@
         <translation>Begehbar, auf einer Hinderniskante</translation>
     </message>
     <message>
-        <source>Not walkable: without area</source>
-        <translation>Nicht begehbar: ohne Fläche</translation>
-    </message>
-    <message>
         <source>Not walkable: a wall</source>
         <translation>Nicht begehbar: eine Wand</translation>
     </message>
@@ -2638,22 +2715,6 @@
     <message>
         <source>Not walkable: an obstacle only</source>
         <translation>Nicht begehbar: nur Hindernis</translation>
-    </message>
-    <message>
-        <source>Not walkable: too steep</source>
-        <translation>Nicht begehbar: zu steil</translation>
-    </message>
-    <message>
-        <source>Not walkable: too low</source>
-        <translation>Nicht begehbar: zu niedrig</translation>
-    </message>
-    <message>
-        <source>Not walkable: too small an area</source>
-        <translation>Nicht begehbar: zu kleine Fläche</translation>
-    </message>
-    <message>
-        <source>Not walkable: merged away</source>
-        <translation>Nicht begehbar: verschmolzen</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -2668,10 +2729,6 @@
         <translation>Ebene %1.</translation>
     </message>
     <message>
-        <source>The corners of this triangle lie on one line.</source>
-        <translation>Die Ecken dieses Dreiecks liegen auf einer Linie.</translation>
-    </message>
-    <message>
         <source>The triangle stands upright; nobody can stand on it. What it crosses becomes obstacle edges.</source>
         <translation>Das Dreieck steht aufrecht; niemand kann darauf stehen. Was es kreuzt, wird zu Hinderniskanten.</translation>
     </message>
@@ -2682,26 +2739,6 @@
     <message>
         <source>This part of the environment is marked as an obstacle only.</source>
         <translation>Dieser Teil der Umgebung ist als nur Hindernis markiert.</translation>
-    </message>
-    <message>
-        <source>It rises by %1°; at most %2° are allowed.</source>
-        <translation>Es steigt um %1°; höchstens %2° sind erlaubt.</translation>
-    </message>
-    <message>
-        <source>Something is above it within the %1 that agents need.</source>
-        <translation>Etwas liegt darüber, innerhalb der %1, die Agenten brauchen.</translation>
-    </message>
-    <message>
-        <source>Triangle %1 is %2 above it; agents need %3.</source>
-        <translation>Dreieck %1 liegt %2 darüber; Agenten brauchen %3.</translation>
-    </message>
-    <message>
-        <source>The connected region around it has an area of %1; it must have more than %2.</source>
-        <translation>Das zusammenhängende Gebiet darum hat eine Fläche von %1; es muss mehr als %2 haben.</translation>
-    </message>
-    <message>
-        <source>The filter moved vertices, and no triangle is here any more.</source>
-        <translation>Der Filter hat Ecken bewegt, und hier ist kein Dreieck mehr.</translation>
     </message>
     <message>
         <source>The floor here is triangle %1, in the same plane.</source>
@@ -2728,26 +2765,6 @@
         <translation>%1, unter Dreieck %2</translation>
     </message>
     <message>
-        <source>Not walkable: unreachable</source>
-        <translation>Nicht begehbar: unerreichbar</translation>
-    </message>
-    <message>
-        <source>It cannot be reached from the seeds.</source>
-        <translation>Es kann von den Startpunkten aus nicht erreicht werden.</translation>
-    </message>
-    <message>
-        <source>Not walkable: too near a wall</source>
-        <translation>Nicht begehbar: zu nah an einer Wand</translation>
-    </message>
-    <message>
-        <source>Not walkable: too near a ledge</source>
-        <translation>Nicht begehbar: zu nah an einer Kante</translation>
-    </message>
-    <message>
-        <source>Agents stay %1 away from walls.</source>
-        <translation>Agenten bleiben %1 von Wänden weg.</translation>
-    </message>
-    <message>
         <source>Agents stay %1 away from ledges: drops and the ends of the level.</source>
         <translation>Agenten bleiben %1 von Kanten weg: Abgründen und den Enden des Levels.</translation>
     </message>
@@ -2763,6 +2780,14 @@
         <source>, </source>
         <comment>between two borders</comment>
         <translation>, </translation>
+    </message>
+    <message>
+        <source>Not walkable</source>
+        <translation>Nicht begehbar</translation>
+    </message>
+    <message>
+        <source>The filter of this step removed it.</source>
+        <translation>Der Filter dieses Schritts hat es entfernt.</translation>
     </message>
 </context>
 <context>

@@ -379,7 +379,8 @@ typedef enum footfall_verdict {
   FOOTFALL_MOVED = 8,            /* a filter that moves vertices left nothing here */
   FOOTFALL_UNREACHABLE = 9,      /* the reachable filter */
   FOOTFALL_TOO_NEAR_WALL = 10,   /* the radius filter */
-  FOOTFALL_TOO_NEAR_LEDGE = 11   /* the radius filter, and no wall is too near */
+  FOOTFALL_TOO_NEAR_LEDGE = 11,  /* the radius filter, and no wall is too near */
+  FOOTFALL_REMOVED = 12          /* another filter removed it: that of `step` */
 } footfall_verdict;
 
 #define FOOTFALL_NONE UINT32_MAX

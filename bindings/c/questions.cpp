@@ -25,7 +25,8 @@ void copyTo(const Vec3& from, double (&to)[3]) {
 static_assert(static_cast<int>(PathStatus::NotConnected) == FOOTFALL_PATH_NOT_CONNECTED &&
               static_cast<int>(LinkKind::Touch) == FOOTFALL_LINK_TOUCH &&
               static_cast<int>(PlaceVerdict::TooSteep) == FOOTFALL_TOO_STEEP &&
-              static_cast<int>(PlaceVerdict::TooNearLedge) == FOOTFALL_TOO_NEAR_LEDGE);
+              static_cast<int>(PlaceVerdict::TooNearLedge) == FOOTFALL_TOO_NEAR_LEDGE &&
+              static_cast<int>(PlaceVerdict::Removed) == FOOTFALL_REMOVED);
 
 footfall_explanation explanationOf(const PlaceExplanation& found) {
   footfall_explanation result{};

@@ -88,10 +88,10 @@ void bindExplanation(py::module_& module) {
           "is_walkable", [](const Explanation& e) { return e.answer.verdict == PlaceVerdict::Walkable; },
           "Whether the verdict is \"walkable\".")
       .def_property_readonly(
-          "verdict", [](const Explanation& e) { return verdictWord(e.answer.verdict); },
+          "verdict", [](const Explanation& e) { return verdictWord(e.inspector->pipeline(), e.answer); },
           R"("walkable", or what it is instead: "no_area" (the triangle is degenerate), "vertical", "faces_down",
 "obstacle_only", "too_steep", "too_low" (under something), "region_too_small", "unreachable" (from the seeds),
-"too_near_wall", "too_near_ledge", or "moved" (a filter that moves vertices left nothing here).)")
+"too_near_wall", "too_near_ledge", "moved" (a filter that moves vertices left nothing here), or the word of another filter.)")
       .def_property_readonly(
           "filter", [](const Explanation& e) { return e.filter; },
           "The name of the filter that rejected it; None where none did.")
@@ -144,7 +144,7 @@ void bindExplanation(py::module_& module) {
           "Where it is walkable: its place in `NavigationMesh.components()`; None elsewhere.")
       .def("__str__", [](const Explanation& e) { return shownText(formatExplanation(*e.inspector, e.answer)); })
       .def("__repr__", [](const Explanation& e) {
-        return "<footfall.Explanation " + std::string(verdictWord(e.answer.verdict)) +
+        return "<footfall.Explanation " + std::string(verdictWord(e.inspector->pipeline(), e.answer)) +
                (e.filter ? " (" + *e.filter + ")" : std::string()) + ">";
       });
 }

@@ -13,6 +13,7 @@
 #include "core/assembly/walkable_state.hpp"
 #include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "core/inspect/border_distances.hpp"
 #include "core/inspect/place_cover.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -65,14 +66,8 @@ GenericPlace placeIn(const std::array<ExactPoint, 3>& corners, const Vec3& point
   return {middleX, middleY, middleX, middleY};
 }
 
-PlaceVerdict verdictOf(const FilterDescriptor& filter) {
-  if (filter.type == FilterType::Degeneracy) return PlaceVerdict::NoArea;
-  if (filter.type == FilterType::Slope) return PlaceVerdict::TooSteep;
-  if (filter.type == FilterType::VerticalClearance) return PlaceVerdict::TooLow;
-  if (filter.type == FilterType::Area) return PlaceVerdict::RegionTooSmall;
-  if (filter.type == FilterType::Radius) return PlaceVerdict::TooNearWall;
-  if (filter.type == FilterType::Reachable) return PlaceVerdict::Unreachable;
-  return PlaceVerdict::Moved;
+bool measuresBorders(const FilterTraits& traits) {
+  return std::ranges::any_of(traits.removals, [](const Removal& r) { return r.measure == PlaceMeasure::WallDistance; });
 }
 
 /// The distances to walls and ledges in one of the states; `step` made it.
@@ -132,6 +127,40 @@ double regionAreaAt(const StatePtr& before, PlaceFollower follower, const Pipeli
   for (std::size_t t = 0; t < region.size(); ++t)
     if (region[t] == region[cover->triangle]) area += areaOf(*state->mesh, state->mesh->triangles[t]);
   return std::ldexp(area, -2 * state->kernel->mesh().grid.scaleExponent());
+}
+
+/// The step that removed a place.
+struct Rejection {
+  const InspectedRun& run;
+  std::size_t step;        ///< place in the pipeline
+  std::size_t state;       ///< place in InspectedRun::states of the one before it
+  const Removal* removal;  ///< null: the filter does not describe what it removes
+};
+
+/// Says why the step removed the place, which `before` has followed up to it.
+void reject(PlaceExplanation& result, const Rejection& rejection, const PlaceFollower& before, RunContext& context) {
+  const auto& [run, number, state, removal] = rejection;
+  const PipelineStep& step = run.pipeline.steps[number];
+  result.verdict = removal != nullptr ? removal->verdict : PlaceVerdict::Removed;
+  result.step = number;
+  if (removal == nullptr) return;
+  if (removal->limit) result.limit = step.values[*removal->limit];
+  const SourceMesh& mesh = run.states.front()->kernel->mesh();
+  switch (removal->measure) {
+    case PlaceMeasure::Slope:
+      if (&before.mesh() != &mesh) result.movedSlope = slopeOf(before.mesh(), before.face());
+      break;
+    case PlaceMeasure::Headroom:
+      result.obstacle = aboveIn(before.mesh(), facesAt(before.mesh(), before.place()), before.height());
+      break;
+    case PlaceMeasure::RegionArea:
+      result.regionArea = regionAreaAt(run.states[state], before, step, context);
+      break;
+    case PlaceMeasure::WallDistance:  // measured before
+    case PlaceMeasure::LedgeDistance:
+    case PlaceMeasure::None:
+      break;
+  }
 }
 
 /// The square of the distance between a point and a triangle, in doubles; for choosing among neighbours.
@@ -222,7 +251,9 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
   const Index face = faceOf[picked.triangle];
   if (mesh.degenerate[face] != 0) {
     result.verdict = PlaceVerdict::NoArea;
-    const auto removes = [&](std::size_t i) { return pipeline.steps[i].filter->type == FilterType::Degeneracy; };
+    const auto removes = [&](std::size_t i) {
+      return findRemoval(*pipeline.steps[i].filter->traits, PlaceVerdict::NoArea) != nullptr;
+    };
     const auto step = std::find_if(steps.begin(), steps.end(), removes);
     if (step != steps.end()) result.step = *step;
     return result;
@@ -269,23 +300,14 @@ PlaceExplanation Inspector::explain(const PickedPlace& picked, RunContext* given
     context.checkCancelled();
     const PipelineStep& step = pipeline.steps[steps[s]];
     const PlaceFollower before = follower;
-    const bool isRadius = step.filter->type == FilterType::Radius;
-    if (isRadius && !isMeasured) measure(s, before);
+    const FilterTraits& traits = *step.filter->traits;
+    const bool isOfBorders = measuresBorders(traits);
+    if (isOfBorders && !isMeasured) measure(s, before);
     cover = follower.follow(*states[s + 1], step);
     if (cover) continue;
-    result.verdict = verdictOf(*step.filter);
-    result.step = steps[s];
-    if (!step.values.empty() && step.filter->repeats == 0) result.limit = step.values[0];
-    if (isRadius) {
-      result.verdict = verdictOfRadius(measure(s, before), step.values);
-      result.limit = step.values[result.verdict == PlaceVerdict::TooNearWall ? 0 : 1];
-    }
-    if (result.verdict == PlaceVerdict::TooSteep && &before.mesh() != &mesh)
-      result.movedSlope = slopeOf(before.mesh(), before.face());
-    if (result.verdict == PlaceVerdict::TooLow)
-      result.obstacle = aboveIn(before.mesh(), facesAt(before.mesh(), place), before.height());
-    if (result.verdict == PlaceVerdict::RegionTooSmall)
-      result.regionArea = regionAreaAt(states[s], before, step, context);
+    const Removal* removal = traits.removals.empty() ? nullptr : &traits.removals.front();
+    if (isOfBorders) removal = findRemoval(traits, verdictOfRadius(measure(s, before), step.values));
+    reject(result, {*inside_, steps[s], s, removal}, before, context);
     return result;
   }
   if (!isMeasured) measure(steps.size(), follower);

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -46,14 +46,14 @@ struct Window {
 
 /// The distance by which a step may move what it does not remove.
 double reachOf(const PipelineStep& step, const SourceMesh& before) {
-  if (step.filter->type == FilterType::Duplication) return step.values[0];
-  if (step.filter->type != FilterType::Simplification || step.values[0] == 0) return 0;
+  const Reach reach = step.filter->traits->reach(step.values);
+  if (reach.ofDiagonal == 0) return reach.length;
   Vec3 low = before.vertices.front(), high = low;
   for (const Vec3& v : before.vertices) {
     low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
     high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
   }
-  return step.values[1] * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
+  return reach.length + reach.ofDiagonal * std::hypot(high.x - low.x, high.y - low.y, high.z - low.z);
 }
 
 /// True when the plane of a triangle is at most `reach` from a point `height` above it.

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/block_structure.hpp"
 
+#include <utility>
+
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 
@@ -14,65 +17,31 @@ Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
 }
 
 bool needsClearance(const PipelineStep& step) {
-  switch (step.filter->type) {
-    case FilterType::Step:
-    case FilterType::Drop:
-      return true;
-    case FilterType::Radius:
-      return step.values[0] != step.values[1];
-    default:
-      return false;
-  }
+  return *step.filter->traits->clearanceNeed(step.values).english != '\0';
 }
 
 namespace {
 
-// Returns whether a filter keeps a drop's edge and its landing, or removes both.
-bool keepsDrops(FilterType type) {
-  return type == FilterType::Drop || type == FilterType::Reachable || type == FilterType::Area;
-}
-
-StructureError missingClearance(const Pipeline& pipeline, std::size_t step) {
-  return {step, Text(FOOTFALL_TEXT("%1 needs %2 before it"), pipeline.steps[step].filter->name,
-                     filterDescriptor(FilterType::VerticalClearance).name)};
-}
-
-std::optional<StructureError> findDropError(const Pipeline& pipeline) {
+std::optional<StructureError> findStepError(const Pipeline& pipeline) {
   bool hasClearance = false;
   std::optional<std::size_t> dropped;  // the DropFilter that came last
   for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
     const PipelineStep& step = pipeline.steps[i];
     if (!step.enabled) continue;
+    const FilterTraits& traits = *step.filter->traits;
     hasClearance = hasClearance || step.filter->type == FilterType::VerticalClearance;
-    if (dropped && !keepsDrops(step.filter->type)) {
+    if (Text problem = traits.problem(step.filter->name, step.values); !problem.empty())
+      return StructureError{i, std::move(problem)};
+    if (!hasClearance && needsClearance(step)) {
+      return StructureError{i, Text(traits.clearanceNeed(step.values), step.filter->name,
+                                    filterDescriptor(FilterType::VerticalClearance).name)};
+    }
+    if (dropped && !traits.keepsDrops) {
       return StructureError{i,
                             Text(FOOTFALL_TEXT("%1 would lose the drops of the DropFilter in %2; put it before that"),
                                  step.filter->name, placeOfStep(pipeline, *dropped))};
     }
-    if (step.filter->type != FilterType::Drop) continue;
-    if (!hasClearance) return missingClearance(pipeline, i);
-    dropped = i;
-  }
-  return std::nullopt;
-}
-
-std::optional<StructureError> findStepError(const Pipeline& pipeline) {
-  bool hasClearance = false;
-  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
-    const PipelineStep& step = pipeline.steps[i];
-    if (!step.enabled) continue;
-    hasClearance = hasClearance || step.filter->type == FilterType::VerticalClearance;
-    if (step.filter->repeats > 0 && step.values.size() < step.filter->parameters.size()) {
-      return StructureError{i, Text(FOOTFALL_TEXT("%1 has no seed; give the coordinates of a walkable place, or click "
-                                                  "one in the editor"),
-                                    step.filter->name)};
-    }
-    const bool ownLedges = step.filter->type == FilterType::Radius && needsClearance(step);
-    if (ownLedges && !hasClearance) {
-      return StructureError{i, Text(FOOTFALL_TEXT("%1 with a distance of its own to ledges needs %2 before it"),
-                                    step.filter->name, filterDescriptor(FilterType::VerticalClearance).name)};
-    }
-    if (step.filter->type == FilterType::Step && !hasClearance) return missingClearance(pipeline, i);
+    if (step.filter->type == FilterType::Drop) dropped = i;
   }
   return std::nullopt;
 }
@@ -119,8 +88,7 @@ std::optional<StructureError> findStructureError(const Pipeline& pipeline) {
                                              "it"),
                                pipeline.steps[*opened].filter->name)};
   }
-  if (const auto error = findStepError(pipeline)) return error;
-  return findDropError(pipeline);
+  return findStepError(pipeline);
 }
 
 }  // namespace footfall::detail

@@ -19,7 +19,9 @@ struct StructureError {
 bool needsClearance(const PipelineStep& step);
 
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a
-/// Collapse, a strategy inside a block, or a global filter inside a block. Disabled steps do not count.
+/// Collapse, a strategy inside a block, or a global filter inside a block. Then the first one whose values contradict
+/// one another, which needs a clearance filter before it that is not there, or which would lose drops. Disabled steps
+/// do not count.
 std::optional<StructureError> findStructureError(const Pipeline& pipeline);
 
 /// "line 3" when the step comes from a file, else "step 3 (Slope)", as a list of steps shows it (1-based); for

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/filters/descriptor_text.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
@@ -35,28 +36,38 @@ std::string describeAgent(const Pipeline& pipeline) {
   return slope + ", " + height + climbs;
 }
 
+namespace {
+
+void addSize(AgentNumbers& numbers, AgentSize size, double value) {
+  switch (size) {
+    case AgentSize::MaxSlope:
+      numbers.maxSlope = std::min(numbers.maxSlope.value_or(value), value);
+      break;
+    case AgentSize::Height:
+      numbers.height = std::max(numbers.height.value_or(value), value);
+      break;
+    case AgentSize::Step:
+      numbers.step = std::max(numbers.step, value);
+      break;
+    case AgentSize::Gap:
+      numbers.gap = std::max(numbers.gap, value);
+      break;
+    case AgentSize::Radius:
+      numbers.radius = std::max(numbers.radius, value);
+      break;
+    case AgentSize::Drop:  // exports have drops, each with its own height
+      break;
+  }
+}
+
+}  // namespace
+
 AgentNumbers agentNumbers(const Pipeline& pipeline) {
   AgentNumbers numbers;
   for (const PipelineStep& step : pipeline.steps) {
-    if (!step.enabled || step.values.empty()) continue;
-    const double value = step.values[0];
-    switch (step.filter->type) {
-      case FilterType::Slope:
-        numbers.maxSlope = std::min(numbers.maxSlope.value_or(value), value);
-        break;
-      case FilterType::VerticalClearance:
-        numbers.height = std::max(numbers.height.value_or(value), value);
-        break;
-      case FilterType::Step:
-        numbers.step = std::max(numbers.step, value);
-        if (step.values.size() > 1) numbers.gap = std::max(numbers.gap, step.values[1]);
-        break;
-      case FilterType::Radius:
-        numbers.radius = std::max(numbers.radius, value);
-        break;
-      default:
-        break;
-    }
+    if (!step.enabled) continue;
+    for (std::size_t i = 0; i < step.values.size(); ++i)
+      if (const auto size = parameterUse(*step.filter, i).agentSize) addSize(numbers, *size, step.values[i]);
   }
   return numbers;
 }

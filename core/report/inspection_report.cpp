@@ -2,9 +2,11 @@
 #include "core/report/inspection_report.hpp"
 
 #include <array>
+#include <cctype>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "core/inspect/removal_text.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
@@ -29,9 +31,11 @@ const EnvironmentPart* partOf(const Environment& environment, std::uint32_t tria
   return triangle < environment.partOf.size() ? &environment.parts.at(environment.partOf[triangle]) : nullptr;
 }
 
+constexpr std::string_view kTriangle = "triangle ";
+
 /// "triangle 12 (mesh door, material wood)"
 std::string triangleText(const Environment& environment, std::uint32_t triangle) {
-  std::string text = "triangle " + std::to_string(triangle);
+  std::string text = std::string(kTriangle) + std::to_string(triangle);
   const EnvironmentPart* part = partOf(environment, triangle);
   if (part == nullptr || (part->mesh.empty() && part->material.empty())) return text;
   text += " (";
@@ -40,13 +44,21 @@ std::string triangleText(const Environment& environment, std::uint32_t triangle)
   return text + ')';
 }
 
-std::string distanceBeside(const std::optional<double>& distance, double limit) {
-  return (distance ? "at a distance of " + textBeside(*distance, limit) + ", and " : "") + number(limit) +
-         " are needed";
+/// The headline and the reason of a removal: "not walkable: too steep. It rises by ...".
+std::string removalText(const Inspector& inspector, const PlaceExplanation& told) {
+  const Removal* removal = removalOf(inspector.pipeline(), told);
+  if (removal == nullptr) return "not walkable: the filter of this step removed it";
+  const std::string unit = removal->measure == PlaceMeasure::Slope ? " degrees" : "";
+  const std::optional<double> measured = measureOf(*removal, told);
+  const std::string measure = measured ? textBeside(*measured, told.limit) + unit : "";
+  std::string obstacle;
+  if (told.obstacle) obstacle = triangleText(inspector.environment(), told.obstacle->triangle).substr(kTriangle.size());
+  std::string headline = Text(removal->headline).str();
+  headline.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(headline.front())));
+  return headline + ". " + reasonText(*removal, measure, number(told.limit) + unit, obstacle).str();
 }
 
 std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
-  const Environment& environment = inspector.environment();
   switch (told.verdict) {
     case PlaceVerdict::Walkable: {
       std::string text = "walkable";
@@ -54,32 +66,22 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
       return text + ", component " + std::to_string(told.component + 1) + " of " +
              std::to_string(inspector.components().list.size()) + " with an area of " + number(told.componentArea);
     }
-    case PlaceVerdict::NoArea:
-      return "not walkable: the triangle has no area";
     case PlaceVerdict::Vertical:
       return "not walkable: the triangle is a vertical wall";
     case PlaceVerdict::FacesDown:
       return "not walkable: the triangle faces down";
     case PlaceVerdict::NeverFloor:
       return "not walkable: the triangle counts as an obstacle only";
+    case PlaceVerdict::NoArea:
     case PlaceVerdict::TooSteep:
-      return "not walkable: too steep, " + textBeside(told.movedSlope.value_or(told.slope), told.limit) +
-             " degrees where at most " + number(told.limit) + " are allowed";
     case PlaceVerdict::TooLow:
-      if (!told.obstacle) return "not walkable: something is above it within the clearance";
-      return "not walkable: too low, " + triangleText(environment, told.obstacle->triangle) + " is " +
-             textBeside(told.obstacle->height, told.limit) + " above where " + number(told.limit) + " are needed";
     case PlaceVerdict::RegionTooSmall:
-      return "not walkable: its region has an area of " + number(told.regionArea) + ", and must have more than " +
-             number(told.limit);
     case PlaceVerdict::Moved:
-      return "not walkable: the filter moved vertices, and no triangle is here any more";
     case PlaceVerdict::Unreachable:
-      return "not walkable: it cannot be reached from the seeds";
     case PlaceVerdict::TooNearWall:
-      return "not walkable: too near a wall, " + distanceBeside(told.wallDistance, told.limit);
     case PlaceVerdict::TooNearLedge:
-      return "not walkable: too near a ledge, " + distanceBeside(told.ledgeDistance, told.limit);
+    case PlaceVerdict::Removed:
+      return removalText(inspector, told);
   }
   return {};
 }
@@ -92,34 +94,29 @@ std::string detail::triangleList(const Environment& environment, const std::vect
   return text;
 }
 
-std::string_view verdictWord(PlaceVerdict verdict) {
-  switch (verdict) {
+std::string_view verdictWord(const Pipeline& pipeline, const PlaceExplanation& explanation) {
+  if (const Removal* removal = removalOf(pipeline, explanation)) return removal->word;
+  switch (explanation.verdict) {
     case PlaceVerdict::Walkable:
       return "walkable";
-    case PlaceVerdict::NoArea:
-      return "no_area";
     case PlaceVerdict::Vertical:
       return "vertical";
     case PlaceVerdict::FacesDown:
       return "faces_down";
     case PlaceVerdict::NeverFloor:
       return "obstacle_only";
+    case PlaceVerdict::NoArea:
     case PlaceVerdict::TooSteep:
-      return "too_steep";
     case PlaceVerdict::TooLow:
-      return "too_low";
     case PlaceVerdict::RegionTooSmall:
-      return "region_too_small";
     case PlaceVerdict::Moved:
-      return "moved";
     case PlaceVerdict::Unreachable:
-      return "unreachable";
     case PlaceVerdict::TooNearWall:
-      return "too_near_wall";
     case PlaceVerdict::TooNearLedge:
-      return "too_near_ledge";
+    case PlaceVerdict::Removed:
+      break;
   }
-  return {};
+  return "removed";
 }
 
 std::string detail::textBeside(double value, double limit) {
@@ -173,7 +170,7 @@ std::string formatExplanationJson(const Inspector& inspector, const PlaceExplana
   json["headroom"] = told.above ? Json(told.above->height) : Json();
   json["above"] = told.above ? Json(told.above->triangle) : Json();
   json["walkable"] = walkable;
-  json["verdict"] = verdictWord(told.verdict);
+  json["verdict"] = verdictWord(inspector.pipeline(), told);
   json["step"] = told.step ? Json(*told.step + 1) : Json();
   json["filter"] = told.step ? Json(inspector.pipeline().steps[*told.step].filter->name) : Json();
   json["limit"] = told.step && told.limit != 0 ? Json(told.limit) : Json();

@@ -9,6 +9,7 @@
 #include "core/exact/source_predicates.hpp"
 #include "core/filters/apply_filter.hpp"
 #include "core/filters/clearance/chosen_clearance.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/pipeline/block_structure.hpp"
 #include "core/tiles/cell_links.hpp"
@@ -19,24 +20,6 @@
 namespace footfall::detail {
 namespace {
 
-bool isOfCells(const PipelineStep& step) {
-  switch (step.filter->type) {
-    case FilterType::Duplication:
-      return step.values[0] == 0;
-    case FilterType::Degeneracy:
-    case FilterType::Slope:
-    case FilterType::VerticalClearance:
-      return true;
-    default:
-      return false;
-  }
-}
-
-/// True for filters that run behind all of those, tile by tile with the neighbourhood of each tile.
-bool isOverTiles(const PipelineStep& step) {
-  return step.filter->type == FilterType::LayerSubdivision ||
-         (step.filter->type == FilterType::Simplification && step.values[0] == 0);
-}
 constexpr Pattern kSecondStep = FOOTFALL_TEXT(
     "%1: a second %2 cannot keep to a bound of memory; leave it out, or run without the bound, with all of the "
     "environment in memory");
@@ -49,24 +32,6 @@ constexpr Pattern kBehindGlobal = FOOTFALL_TEXT(
 constexpr Pattern kBehindArea = FOOTFALL_TEXT(
     "%1: %2 stands behind an AreaFilter, which needs all cells; put it before that, or run without the bound, with all "
     "of the environment in memory");
-
-Pattern problemOf(const FilterDescriptor& filter) {
-  if (filter.type == FilterType::Duplication)
-    return FOOTFALL_TEXT(
-        "%1: %2 joins vertices across cells when its distance is above 0 and cannot keep to a bound of "
-        "memory; leave it out, or run without the bound, with all of the environment in memory");
-  if (filter.type == FilterType::Rounding)
-    return FOOTFALL_TEXT(
-        "%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or "
-        "run without the bound, with all of the environment in memory");
-  if (filter.type == FilterType::Simplification)
-    return FOOTFALL_TEXT(
-        "%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run without the bound, "
-        "with all of the environment in memory");
-  return FOOTFALL_TEXT(
-      "%1: %2 sees across cells and cannot keep to a bound of memory; leave it out, or run without the "
-      "bound, with all of the environment in memory");
-}
 
 /// One flag per face of the source mesh: its kind is at least `least`.
 std::vector<char> facesOfKind(const SourceMesh& mesh, const std::vector<CellKind>& kinds, CellKind least) {
@@ -226,38 +191,74 @@ class TileMaker {
 
 }  // namespace
 
-CellSteps stepsOfCells(const Pipeline& pipeline) {
-  CellSteps steps;
-  for (std::size_t i = 0; i < pipeline.steps.size(); ++i) {
-    const PipelineStep& step = pipeline.steps[i];
-    if (!step.enabled || step.filter->kind != FilterKind::Filter) continue;
-    const auto fail = [&](Pattern problem) { throw InputError(problem, placeOfStep(pipeline, i), step.filter->name); };
-    if (isOverTiles(step)) {
-      const auto isSame = [&step](const PipelineStep& other) { return other.filter == step.filter; };
-      if (steps.step && step.filter->type == FilterType::Simplification &&
-          std::any_of(steps.global.begin(), steps.global.end(), isSame))
-        fail(kSecondStep);
-      steps.global.push_back(step);
-      continue;
+namespace {
+
+/// Puts the steps of a pipeline where cells run them.
+class StepSorter {
+ public:
+  explicit StepSorter(const Pipeline& pipeline) : pipeline_(pipeline) {}
+
+  // The switch is without a default, so that a use that is left out does not compile.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wswitch"
+  void add(std::size_t i) {
+    const PipelineStep& step = pipeline_.steps[i];
+    const FilterTraits& traits = *step.filter->traits;
+    switch (traits.tileUse(step.values)) {
+      case TileUse::LeftOut:
+        break;
+      case TileUse::Never:
+        fail(i, traits.tileProblem);
+      case TileUse::OverTiles:
+        addOverTiles(i);
+        break;
+      case TileUse::Regions: {
+        if (!steps.global.empty()) fail(i, kBehindGlobal);
+        std::optional<double>& minimum = steps.step ? steps.minimumLinkedArea : steps.minimumArea;
+        minimum = std::max(minimum.value_or(0), step.values[0]);
+        break;
+      }
+      case TileUse::Links:
+        if (!steps.global.empty()) fail(i, kBehindGlobal);
+        if (steps.step) fail(i, kSecondStep);
+        steps.step = step;
+        break;
+      case TileUse::InCells:
+        if (!steps.global.empty()) fail(i, kBehindGlobal);
+        if (steps.step) fail(i, kBehindSteps);
+        if (steps.minimumArea) fail(i, kBehindArea);
+        steps.local.push_back(step);
+        break;
     }
-    const bool isArea = step.filter->type == FilterType::Area;
-    if (!isArea && step.filter->type != FilterType::Step && !isOfCells(step)) fail(problemOf(*step.filter));
-    if (!steps.global.empty()) fail(kBehindGlobal);
-    if (isArea) {
-      std::optional<double>& minimum = steps.step ? steps.minimumLinkedArea : steps.minimumArea;
-      minimum = std::max(minimum.value_or(0), step.values[0]);
-      continue;
-    }
-    if (step.filter->type == FilterType::Step) {
-      if (steps.step) fail(kSecondStep);
-      steps.step = step;
-      continue;
-    }
-    if (steps.step) fail(kBehindSteps);
-    if (steps.minimumArea) fail(kBehindArea);
-    steps.local.push_back(step);
   }
-  return steps;
+#pragma GCC diagnostic pop
+
+  CellSteps steps;
+
+ private:
+  [[noreturn]] void fail(std::size_t i, Pattern problem) const {
+    throw InputError(problem, placeOfStep(pipeline_, i), pipeline_.steps[i].filter->name);
+  }
+
+  void addOverTiles(std::size_t i) {
+    const PipelineStep& step = pipeline_.steps[i];
+    const auto isSame = [&step](const PipelineStep& other) { return other.filter == step.filter; };
+    if (steps.step && step.filter->type == FilterType::Simplification &&
+        std::any_of(steps.global.begin(), steps.global.end(), isSame))
+      fail(i, kSecondStep);
+    steps.global.push_back(step);
+  }
+
+  const Pipeline& pipeline_;
+};
+
+}  // namespace
+
+CellSteps stepsOfCells(const Pipeline& pipeline) {
+  StepSorter sorter(pipeline);
+  for (std::size_t i = 0; i < pipeline.steps.size(); ++i)
+    if (pipeline.steps[i].enabled) sorter.add(i);
+  return std::move(sorter.steps);
 }
 
 FloorRule floorRuleOf(const CellSteps& steps) {

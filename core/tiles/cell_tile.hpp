@@ -29,7 +29,8 @@ struct CellSteps {
 
 /// A pipeline in the form in which cells run it: local filters that move nothing, then an AreaFilter or several, then a
 /// StepFilter, and AreaFilters again. Strategies and Collapse, which change no result, are left out. The pipeline is
-/// one that parsePipeline() has checked. Throws InputError "PLACE: what; what to do" where a step is another filter.
+/// one that parsePipeline() has checked. Throws InputError "PLACE: what; what to do" where a
+/// step is another filter (FilterTraits::tileUse), or stands at a place where cells cannot run it.
 CellSteps stepsOfCells(const Pipeline& pipeline);
 
 /// The rule for collecting that follows from the steps.

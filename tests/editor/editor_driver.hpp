@@ -8,7 +8,6 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "footfall/filter.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/filters/filter_list.hpp"
@@ -97,7 +96,7 @@ inline NumberField* openField(EditorWindow& window, std::size_t row, std::size_t
 inline QStringList filterNames(EditorWindow& window) {
   QStringList names;
   for (const FilterEntry& entry : window.document().filters()) {
-    names << QString::fromStdString(std::string(entry.step.filter->name));
+    names << QString::fromStdString(formatStep(entry.step)).section(QLatin1Char(' '), 0, 0);
   }
   return names;
 }

@@ -11,7 +11,6 @@
 #include "core/pipeline/block_structure.hpp"
 #include "footfall/agent.hpp"
 #include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "ui/base/translated.hpp"
 
 namespace footfall::ui {
@@ -34,29 +33,11 @@ Pipeline pipelineOf(const std::vector<FilterEntry>& filters) {
   return pipeline;
 }
 
-/// Returns whether a filter makes borders that an earlier StepFilter has not linked.
-bool makesBorders(const PipelineStep& step) {
-  switch (step.filter->type) {
-    case FilterType::Duplication:
-    case FilterType::Degeneracy:
-    case FilterType::Slope:
-    case FilterType::VerticalClearance:
-    case FilterType::Rounding:
-    case FilterType::Collapse:
-      return true;
-    case FilterType::Simplification:
-      return step.values[0] != 0;
-    default:
-      return false;
-  }
-}
-
-/// Inserts a filter behind all filters that make borders or would lose drops, and in front of the filters that use
-/// links and drops. Where it has no place, the list does not change, and the problem of the filter at the end of the
-/// list is returned.
+/// Behind all that makes borders or would lose drops, and in front of the filters that go by links and drops. Where it
+/// has no place, nothing changes, and what is wrong with it at the end is returned.
 Text insertEarly(std::vector<FilterEntry>& filters, const FilterEntry& added) {
   const auto last = std::find_if(filters.rbegin(), filters.rend(), [](const FilterEntry& entry) {
-    return entry.step.enabled && makesBorders(entry.step);
+    return entry.step.enabled && entry.step.filter->traits->makesBorders(entry.step.values);
   });
   for (auto at = last.base();; ++at) {
     std::vector<FilterEntry> with(filters.begin(), at);
@@ -84,43 +65,16 @@ void insertRadius(std::vector<FilterEntry>& filters, const FilterEntry& radius) 
 }  // namespace
 
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter) {
-  if (parameter > 0)
-    return filter.type == FilterType::Step && parameter == 1 ? std::optional(AgentSize::Gap) : std::nullopt;
-  if (filter.type == FilterType::Slope) return AgentSize::MaxSlope;
-  if (filter.type == FilterType::VerticalClearance) return AgentSize::Height;
-  if (filter.type == FilterType::Step) return AgentSize::Step;
-  if (filter.type == FilterType::Radius) return AgentSize::Radius;
-  if (filter.type == FilterType::Drop) return AgentSize::Drop;
-  return std::nullopt;
+  return parameterUse(filter, parameter).agentSize;
 }
 
-const FilterDescriptor& filterOf(AgentSize size) {
-  switch (size) {
-    case AgentSize::Height:
-      return filterDescriptor(FilterType::VerticalClearance);
-    case AgentSize::MaxSlope:
-      return filterDescriptor(FilterType::Slope);
-    case AgentSize::Radius:
-      return filterDescriptor(FilterType::Radius);
-    case AgentSize::Drop:
-      return filterDescriptor(FilterType::Drop);
-    case AgentSize::Step:
-    case AgentSize::Gap:
-      break;
-  }
-  return filterDescriptor(FilterType::Step);
-}
+const FilterDescriptor& filterOf(AgentSize size) { return *drivenBy(size).filter; }
 
-const ParameterDescriptor& parameterOf(AgentSize size) {
-  const auto orNone = [](FilterType type) {
-    ParameterDescriptor parameter = filterDescriptor(type).parameters[0];
-    parameter.minimumOpen = false;
-    return parameter;
-  };
-  static const ParameterDescriptor step = orNone(FilterType::Step), drop = orNone(FilterType::Drop);
-  if (size == AgentSize::Step) return step;
-  if (size == AgentSize::Drop) return drop;
-  return filterOf(size).parameters[size == AgentSize::Gap ? 1 : 0];
+ParameterDescriptor parameterOf(AgentSize size) {
+  const auto [filter, place] = drivenBy(size);
+  ParameterDescriptor parameter = filter->parameters[place];
+  if (mayBeNone(size)) parameter.minimumOpen = false;
+  return parameter;
 }
 
 double sizeOf(const NamedAgent& agent, AgentSize size) {

@@ -8,11 +8,13 @@
 #include <optional>
 #include <vector>
 
+#include "core/filters/filter_traits.hpp"
+#include "footfall/parameter.hpp"
 #include "ui/document/document.hpp"
 
 namespace footfall::ui {
 
-enum class AgentSize { Height, MaxSlope, Step, Gap, Radius, Drop };
+using detail::AgentSize;
 inline constexpr std::array kAgentSizes{AgentSize::Height, AgentSize::MaxSlope, AgentSize::Step,
                                         AgentSize::Gap,    AgentSize::Radius,   AgentSize::Drop};
 /// Returns whether a size may be 0, which means no filter for it.
@@ -24,9 +26,9 @@ constexpr bool mayBeNone(AgentSize size) {
 std::optional<AgentSize> agentSizeOf(const FilterDescriptor& filter, std::size_t parameter = 0);
 /// The filter that a size sets.
 const FilterDescriptor& filterOf(AgentSize size);
-/// The range of a size: that of its filter's parameter, and 0 where the agent may have none.
-const ParameterDescriptor& parameterOf(AgentSize size);
-/// The size in the environment's units, or in degrees.
+/// What a size may be: the parameter of its filter, and 0 where the agent may have none.
+ParameterDescriptor parameterOf(AgentSize size);
+/// In the environment's units, or in degrees.
 double sizeOf(const NamedAgent& agent, AgentSize size);
 void setSizeOf(NamedAgent& agent, AgentSize size, double value);
 

@@ -8,7 +8,6 @@
 
 #include "core/base/vector.hpp"
 #include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/appearance.hpp"
 #include "ui/view/handle_colours.hpp"
@@ -46,18 +45,7 @@ void addArea(ViewOverlay& overlay, const Vec3& middle, const std::vector<Vec3>& 
 }  // namespace
 
 std::optional<MeasureKind> measureKindOf(const FilterDescriptor& filter, std::size_t parameter) {
-  switch (filter.type) {
-    case FilterType::Slope:
-      return parameter == 0 ? std::optional(MeasureKind::Angle) : std::nullopt;
-    case FilterType::VerticalClearance:
-      return MeasureKind::Height;
-    case FilterType::Step:
-      return parameter == 0 ? MeasureKind::Height : MeasureKind::Length;
-    case FilterType::Radius:
-      return parameter < 2 ? std::optional(MeasureKind::Distance) : std::nullopt;
-    default:
-      return std::nullopt;
-  }
+  return parameterUse(filter, parameter).drawnAs;
 }
 
 Vec3 ParameterMeasure::handle() const {

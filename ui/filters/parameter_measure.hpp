@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "core/filters/filter_traits.hpp"
 #include "ui/view/scene_picker.hpp"
 #include "ui/view/view_overlay.hpp"
 
@@ -17,9 +18,7 @@ struct ParameterDescriptor;
 
 namespace footfall::ui {
 
-/// A slope is an angle, a clearance and a step are heights, a gap is a length over a floor, a radius is a distance in
-/// all directions.
-enum class MeasureKind : std::uint8_t { Angle, Height, Length, Distance };
+using detail::MeasureKind;
 
 /// Empty for parameters that are not drawn.
 std::optional<MeasureKind> measureKindOf(const FilterDescriptor& filter, std::size_t parameter);

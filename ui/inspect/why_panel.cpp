@@ -122,7 +122,7 @@ QWidget* WhyPanel::makeAnswerPage() {
 void WhyPanel::show(const std::shared_ptr<const Inspector>& inspector, const PlaceExplanation& told,
                     const LevelUnits& units) {
   swatch_->setPixmap(paintSwatch(WhyText::paint(*inspector, told), kReasonSwatch, devicePixelRatioF()));
-  headline_->setText(WhyText::headline(told));
+  headline_->setText(WhyText::headline(*inspector, told));
   reason_->setText(WhyText::reason(*inspector, told, units));
   place_->setText(units.place(told.place.point));
   frame_->setText(units.frameText());

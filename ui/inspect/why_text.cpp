@@ -3,52 +3,65 @@
 
 #include <QStringList>
 
+#include "core/inspect/removal_text.hpp"
 #include "core/report/inspection_report.hpp"
 #include "footfall/filter.hpp"
+#include "ui/base/core_text.hpp"
 #include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 namespace {
 
-/// A length that differs from a limit, with enough digits to show the difference.
-QString lengthBeside(double length, double limit, const LevelUnits& units) {
-  const double factor = units.factor();
-  return QString::fromStdString(textBeside(length * factor, limit * factor))
-             .replace(QLatin1Char('.'), numberLocale().decimalPoint()) +
-         QLatin1Char(' ') + units.name();
+/// A number of a place in the unit of people, with as many digits as it takes to see that it differs from a limit.
+QString measureBeside(double measure, double limit, Unit unit, const LevelUnits& units) {
+  const double factor = units.factor(unit);
+  const QString number = QString::fromStdString(textBeside(measure * factor, limit * factor))
+                             .replace(QLatin1Char('.'), numberLocale().decimalPoint());
+  if (unit == Unit::Degrees) return number + QChar(0xB0);
+  return unit == Unit::Length ? number + QLatin1Char(' ') + units.name() : number;
+}
+
+QString limitText(double limit, Unit unit, const LevelUnits& units) {
+  switch (unit) {
+    case Unit::Degrees:
+      return shortText(limit) + QChar(0xB0);
+    case Unit::Length:
+      return units.length(limit);
+    case Unit::Area:
+      return units.area(limit);
+    case Unit::Count:
+    case Unit::None:
+      break;
+  }
+  return shortText(limit);
 }
 
 }  // namespace
 
-QString WhyText::headline(const PlaceExplanation& told) {
+QString WhyText::headline(const Inspector& inspector, const PlaceExplanation& told) {
   switch (told.verdict) {
     case PlaceVerdict::Walkable:
       return told.walls.empty() ? tr("Walkable") : tr("Walkable, on an obstacle edge");
-    case PlaceVerdict::NoArea:
-      return tr("Not walkable: without area");
     case PlaceVerdict::Vertical:
       return tr("Not walkable: a wall");
     case PlaceVerdict::FacesDown:
       return tr("Not walkable: faces down");
     case PlaceVerdict::NeverFloor:
       return tr("Not walkable: an obstacle only");
+    case PlaceVerdict::NoArea:
     case PlaceVerdict::TooSteep:
-      return tr("Not walkable: too steep");
     case PlaceVerdict::TooLow:
-      return tr("Not walkable: too low");
     case PlaceVerdict::RegionTooSmall:
-      return tr("Not walkable: too small an area");
     case PlaceVerdict::Moved:
-      return tr("Not walkable: merged away");
     case PlaceVerdict::Unreachable:
-      return tr("Not walkable: unreachable");
     case PlaceVerdict::TooNearWall:
-      return tr("Not walkable: too near a wall");
     case PlaceVerdict::TooNearLedge:
-      return tr("Not walkable: too near a ledge");
+    case PlaceVerdict::Removed:
+      break;
   }
-  return {};
+  const Removal* removal = removalOf(inspector.pipeline(), told);
+  return removal ? coreText(removal->headline) : tr("Not walkable");
 }
 
 QString WhyText::triangle(const Inspector& inspector, std::uint32_t triangle) {
@@ -63,6 +76,20 @@ QString WhyText::triangle(const Inspector& inspector, std::uint32_t triangle) {
                          : tr("%1 (%2)").arg(QString::number(triangle), names.join(QStringLiteral(", ")));
 }
 
+QString WhyText::removalReason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units) {
+  const Removal* removal = removalOf(inspector.pipeline(), told);
+  if (!removal) return tr("The filter of this step removed it.");
+  Unit unit = Unit::None;
+  if (removal->limit && told.step)
+    unit = inspector.pipeline().steps[*told.step].filter->parameters[*removal->limit].unit;
+  QString measure;
+  if (const auto measured = measureOf(*removal, told))
+    measure = unit == Unit::Area ? units.area(*measured) : measureBeside(*measured, told.limit, unit, units);
+  const QString obstacle = told.obstacle ? triangle(inspector, told.obstacle->triangle) : QString();
+  return coreText(reasonText(*removal, measure.toStdString(), limitText(told.limit, unit, units).toStdString(),
+                             obstacle.toStdString()));
+}
+
 QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units) {
   QString text;
   switch (told.verdict) {
@@ -75,9 +102,6 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
       if (told.layer) text = tr("Layer %1.").arg(*told.layer) + QLatin1Char(' ') + text;
       break;
     }
-    case PlaceVerdict::NoArea:
-      text = tr("The corners of this triangle lie on one line.");
-      break;
     case PlaceVerdict::Vertical:
       text = tr("The triangle stands upright; nobody can stand on it. What it crosses becomes obstacle edges.");
       break;
@@ -89,36 +113,16 @@ QString WhyText::reason(const Inspector& inspector, const PlaceExplanation& told
     case PlaceVerdict::NeverFloor:
       text = tr("This part of the environment is marked as an obstacle only.");
       break;
+    case PlaceVerdict::NoArea:
     case PlaceVerdict::TooSteep:
-      text = tr("It rises by %1°; at most %2° are allowed.")
-                 .arg(QString::fromStdString(textBeside(told.movedSlope.value_or(told.slope), told.limit))
-                          .replace(QLatin1Char('.'), numberLocale().decimalPoint()),
-                      shortText(told.limit));
-      break;
     case PlaceVerdict::TooLow:
-      if (!told.obstacle) {
-        text = tr("Something is above it within the %1 that agents need.").arg(units.length(told.limit));
-      } else {
-        text = tr("Triangle %1 is %2 above it; agents need %3.")
-                   .arg(triangle(inspector, told.obstacle->triangle),
-                        lengthBeside(told.obstacle->height, told.limit, units), units.length(told.limit));
-      }
-      break;
     case PlaceVerdict::RegionTooSmall:
-      text = tr("The connected region around it has an area of %1; it must have more than %2.")
-                 .arg(units.area(told.regionArea), units.area(told.limit));
-      break;
     case PlaceVerdict::Moved:
-      text = tr("The filter moved vertices, and no triangle is here any more.");
-      break;
     case PlaceVerdict::Unreachable:
-      text = tr("It cannot be reached from the seeds.");
-      break;
     case PlaceVerdict::TooNearWall:
-      text = tr("Agents stay %1 away from walls.").arg(units.length(told.limit));
-      break;
     case PlaceVerdict::TooNearLedge:
-      text = tr("Agents stay %1 away from ledges: drops and the ends of the level.").arg(units.length(told.limit));
+    case PlaceVerdict::Removed:
+      text = removalReason(inspector, told, units);
       break;
   }
   if (told.floor)
@@ -152,9 +156,8 @@ QString WhyText::borders(const PlaceExplanation& told, const LevelUnits& units) 
 Paint WhyText::paint(const Inspector& inspector, const PlaceExplanation& told) {
   if (told.verdict == PlaceVerdict::Walkable) return told.layer ? layerPaint(*told.layer) : walkablePaint();
   if (!told.step) return wallPaint();
-  if (told.verdict == PlaceVerdict::TooNearWall) return removalStyle(Removal::NearWall).paint;
-  if (told.verdict == PlaceVerdict::TooNearLedge) return removalStyle(Removal::NearLedge).paint;
-  const RemovalStyle* style = removalStyle(inspector.pipeline().steps[*told.step].filter->type);
+  const Removal* removal = removalOf(inspector.pipeline(), told);
+  const RemovalStyle* style = removal ? removalStyle(*removal) : nullptr;
   return style != nullptr ? style->paint : wallPaint();
 }
 

@@ -17,9 +17,9 @@ class WhyText {
   Q_DECLARE_TR_FUNCTIONS(WhyText)
 
  public:
-  /// A headline such as "Not walkable: too low".
-  static QString headline(const PlaceExplanation& told);
-  /// One or two sentences with the decision and the filter or obstacle behind it.
+  /// "Not walkable: too low"
+  static QString headline(const Inspector& inspector, const PlaceExplanation& told);
+  /// One or two sentences: what decided, and who is responsible.
   static QString reason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
   static QString slope(const PlaceExplanation& told);
   static QString headroom(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
@@ -29,6 +29,10 @@ class WhyText {
   static QString triangle(const Inspector& inspector, std::uint32_t triangle);
   /// The colour and pattern of such places in the view.
   static Paint paint(const Inspector& inspector, const PlaceExplanation& told);
+
+ private:
+  /// The reason of the filter that removed the place.
+  static QString removalReason(const Inspector& inspector, const PlaceExplanation& told, const LevelUnits& units);
 };
 
 }  // namespace footfall::ui

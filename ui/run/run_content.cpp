@@ -19,8 +19,8 @@ constexpr double kSameArea = 1 - 1e-9;  // areas in summaries are rounded
 const RemovalStyle* styleOf(const PipelineStep& step) {
   const RemovalStyle* const style = removalStyle(step.filter->type);
   if (!style || style->filter != FilterType::Radius) return style;
-  if (step.values[1] == 0) return &removalStyle(Removal::NearWall);
-  if (step.values[0] == 0) return &removalStyle(Removal::NearLedge);
+  if (step.values[1] == 0) return &removalStyle(PlaceVerdict::TooNearWall);
+  if (step.values[0] == 0) return &removalStyle(PlaceVerdict::TooNearLedge);
   return style;
 }
 
@@ -40,8 +40,8 @@ std::vector<RemovedShare> divide(const RunJob& job, const RunResult& result, con
                                  RunContext& context) {
   const std::optional<RunResult> offWalls = keepOffWalls(job, share.step, context);
   if (!offWalls || !offWalls->mesh) return {share};
-  const RemovedShare wall{&removalStyle(Removal::NearWall), share.before, share.step};
-  RemovedShare ledge{&removalStyle(Removal::NearLedge), share.before, share.step};
+  const RemovedShare wall{&removalStyle(PlaceVerdict::TooNearWall), share.before, share.step};
+  RemovedShare ledge{&removalStyle(PlaceVerdict::TooNearLedge), share.before, share.step};
   const double area = offWalls->summary.area;
   if (result.steps[share.step].out.area >= area * kSameArea) return {wall};
   if (area >= result.steps[share.step].in.area * kSameArea) return {ledge};
@@ -68,7 +68,7 @@ std::vector<RemovedShare> removedShares(const RunJob& job, const RunResult& resu
 }
 
 bool isDivisible(const RunJob& job, const RemovedShare& share) {
-  return share.style->removal == Removal::NearBorder &&
+  return share.style == removalStyle(FilterType::Radius) &&
          std::any_of(job.steps.begin(), job.steps.begin() + static_cast<std::ptrdiff_t>(share.step),
                      [](const PipelineStep* step) { return step->filter->type == FilterType::VerticalClearance; });
 }

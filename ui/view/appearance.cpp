@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/appearance.hpp"
 
-#include <QCoreApplication>
 #include <QImage>
 #include <QPainter>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "footfall/filter_type.hpp"
+#include "core/filters/filter_traits.hpp"
+#include "footfall/filter.hpp"
 #include "ui/base/core_colours.hpp"
+#include "ui/base/core_text.hpp"
+#include "ui/base/namespaces.hpp"
 #include "ui/base/theme.hpp"
 
 namespace footfall::ui {
@@ -84,57 +86,45 @@ QColor heatColour(double value) {
 
 namespace {
 
-// The order is that of Removal.
-const std::array<RemovalStyle, 7>& removalStyles() {
-  static const std::array<RemovalStyle, 7> kStyles = {{
-      {Removal::TooSteep,
-       FilterType::Slope,
-       QCoreApplication::translate("Legend", "Too steep"),
-       {QColor(176, 150, 128), FillPattern::RisingStripes},
-       {toColour(kOrange), FillPattern::RisingStripes}},
-      {Removal::TooLow,
-       FilterType::VerticalClearance,
-       QCoreApplication::translate("Legend", "Too little headroom"),
-       {QColor(150, 138, 176), FillPattern::FallingStripes},
-       {QColor(204, 121, 167), FillPattern::FallingStripes}},
-      {Removal::NearBorder,
-       FilterType::Radius,
-       QCoreApplication::translate("Legend", "Too near a border"),
-       {QColor(140, 172, 150), FillPattern::LevelStripes},
-       {QColor(0, 158, 115), FillPattern::LevelStripes}},
-      {Removal::NearWall,
-       FilterType::Radius,
-       QCoreApplication::translate("Legend", "Too near a wall"),
-       {QColor(140, 172, 150), FillPattern::LevelStripes},
-       {QColor(0, 158, 115), FillPattern::LevelStripes}},
-      {Removal::NearLedge,
-       FilterType::Radius,
-       QCoreApplication::translate("Legend", "Too near a ledge"),
-       {QColor(156, 188, 222), FillPattern::UprightStripes},
-       {QColor(86, 180, 233), FillPattern::UprightStripes}},
-      {Removal::Unreachable,
-       FilterType::Reachable,
-       QCoreApplication::translate("Legend", "Cannot be reached"),
-       {QColor(188, 180, 132), FillPattern::Grid},
-       {toColour(kYellow), FillPattern::Grid}},
-      {Removal::TooSmall,
-       FilterType::Area,
-       QCoreApplication::translate("Legend", "Too small an area"),
-       {QColor(146, 160, 168), FillPattern::Dots},
-       {QColor(0, 114, 178), FillPattern::Dots}},
-  }};
+// The styles of all removals with a paint, in the order of the filters.
+const std::vector<RemovalStyle>& removalStyles() {
+  static const std::vector<RemovalStyle> kStyles = [] {
+    std::vector<RemovalStyle> styles;
+    for (const FilterDescriptor& filter : filterDescriptors()) {
+      for (const Removal& removal : filter.traits->removals) {
+        if (!removal.paint) continue;
+        const auto& [pale, vivid, pattern] = *removal.paint;
+        styles.push_back({static_cast<unsigned>(styles.size()),
+                          filter.type,
+                          &removal,
+                          coreText(removal.legend),
+                          {toColour(pale), pattern},
+                          {toColour(vivid), pattern}});
+      }
+    }
+    return styles;
+  }();
   return kStyles;
+}
+
+template <class Test>
+const RemovalStyle* findStyle(const Test& test) {
+  const auto found = std::ranges::find_if(removalStyles(), test);
+  return found == removalStyles().end() ? nullptr : &*found;
 }
 
 }  // namespace
 
-const RemovalStyle& removalStyle(Removal removal) { return removalStyles()[static_cast<std::size_t>(removal)]; }
-
 const RemovalStyle* removalStyle(FilterType filter) {
-  for (const RemovalStyle& style : removalStyles()) {
-    if (style.filter == filter) return &style;
-  }
-  return nullptr;
+  return findStyle([filter](const RemovalStyle& style) { return style.filter == filter; });
+}
+
+const RemovalStyle* removalStyle(const Removal& removal) {
+  return findStyle([&removal](const RemovalStyle& style) { return style.removal == &removal; });
+}
+
+const RemovalStyle& removalStyle(PlaceVerdict verdict) {
+  return *findStyle([verdict](const RemovalStyle& style) { return style.removal->verdict == verdict; });
 }
 
 QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio) {

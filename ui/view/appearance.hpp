@@ -7,23 +7,19 @@
 #include <QString>
 #include <cstdint>
 
+#include "core/base/fill_pattern.hpp"
+#include "footfall/place_verdict.hpp"
+
 namespace footfall {
 enum class FilterType : std::uint8_t;
+namespace detail {
+struct Removal;
 }
+}  // namespace footfall
 
 namespace footfall::ui {
 
-/// Patterns are drawn over a paint, so that removed floors differ from layers in more than colour. The numbers are
-/// those of shaders/surface.frag.
-enum class FillPattern : std::uint8_t {
-  Plain = 0,
-  RisingStripes = 1,
-  FallingStripes = 2,
-  Dots = 3,
-  Grid = 4,
-  LevelStripes = 5,
-  UprightStripes = 6
-};
+using detail::FillPattern;
 
 struct Paint {
   QColor colour;
@@ -65,23 +61,24 @@ QColor hiddenLineFill();
 /// deficiencies (Smith and van der Walt 2015).
 QColor heatColour(double value);
 
-/// The reasons why floors are not walkable: the filter that removed them, and for a RadiusFilter the kind of border
-/// that is too near. A RadiusFilter without a clearance before it does not distinguish walls from ledges (NearBorder).
-enum class Removal : std::uint8_t { TooSteep, TooLow, NearBorder, NearWall, NearLedge, Unreachable, TooSmall };
-
-/// The display of floors that were removed for one reason.
+/// How floors are shown that a filter removed for one reason: by the descriptor of the filter.
 struct RemovalStyle {
-  Removal removal{};
+  unsigned number = 0;  ///< its place among all styles
   FilterType filter{};
-  QString reason;  ///< name in the legend, e.g. "Too steep"
+  const detail::Removal* removal = nullptr;
+  QString reason;  ///< for the legend, e.g. "Too steep"
   Paint paint;
   Paint vivid;  ///< paint in modes that show only the reasons
 };
 
-const RemovalStyle& removalStyle(Removal removal);
-/// The style of a filter's removals; NearBorder for a RadiusFilter. Null for filters that remove no places, or none
-/// that need a colour.
+/// The style of the most general reason for which a filter removes floors. A RadiusFilter without a clearance before it
+/// does not know walls from ledges, and has that one. Null for filters that remove no places, or none that are worth a
+/// colour.
 const RemovalStyle* removalStyle(FilterType filter);
+/// Null for a removal without a paint.
+const RemovalStyle* removalStyle(const detail::Removal& removal);
+/// The style of a verdict that one filter alone has; never Removed.
+const RemovalStyle& removalStyle(PlaceVerdict verdict);
 
 /// A small picture of a paint, with the pattern of the view, for legends.
 QPixmap paintSwatch(const Paint& paint, const QSize& size, qreal devicePixelRatio);

@@ -248,11 +248,11 @@ void Legend::describeReasons(const std::vector<const RemovalStyle*>& reasons) {
   auto* rows = new QVBoxLayout(reasons_);
   rows->setContentsMargins(22, 0, 0, 2);
   rows->setSpacing(4);
-  for (std::size_t i = 0; i < reasons.size(); ++i) {
-    const Removal removal = reasons[i]->removal;
-    auto* box = new QCheckBox(reasons[i]->reason, reasons_);
-    setSwatch(box, paintSwatch(vivid ? reasons[i]->vivid : reasons[i]->paint, kSwatch, ratio));
-    setSwitch(box, parts_.shows(removal), [this, removal](bool on) { parts_.show(removal, on); });
+  for (const RemovalStyle* reason : reasons) {
+    const RemovalStyle& style = *reason;  // styles live as long as the program
+    auto* box = new QCheckBox(style.reason, reasons_);
+    setSwatch(box, paintSwatch(vivid ? style.vivid : style.paint, kSwatch, ratio));
+    setSwitch(box, parts_.shows(style), [this, &style](bool on) { parts_.show(style, on); });
     rows->addWidget(box);
     box->show();  // at once, because the size of the legend is needed before the next event
   }

@@ -59,7 +59,7 @@ void ScenePainter::prepareState() {
 StillLook ScenePainter::stillLook(const SceneContent& scene, const SceneCamera& camera, const SceneParts& parts) const {
   const SceneRule rule = ruleOf(scene, camera, parts);
   Paint floor = undecidedPaint();
-  if (rule.reasons && parts.shows(scene.content.firstRemoval->removal))
+  if (rule.reasons && parts.shows(*scene.content.firstRemoval))
     floor = parts.mode == ViewMode::RejectedBy ? scene.content.firstRemoval->vivid : scene.content.firstRemoval->paint;
   // The offset lies behind everything that may be drawn on top. It has a step for each surface, rounded up so that a
   // few more or less do not change it.
@@ -191,7 +191,7 @@ void ScenePainter::drawSurfaces(const SceneContent& scene, const SceneCamera& ca
   // drawn first, so that hidden parts are not painted.
   for (std::size_t i = scene.removed.size(); rule.reasons && i-- > 0;) {
     const RemovalStyle& style = *scene.content.removed[i].style;
-    const bool plain = !parts.shows(style.removal);
+    const bool plain = !parts.shows(style);
     surfaces_.setOnlyPaint(plain ? std::optional(undecidedPaint()) : vivid ? std::optional(style.vivid) : std::nullopt);
     surfaces_.draw(scene.removed[i].surface, static_cast<float>(scene.removed.size() - i));
   }

@@ -15,25 +15,25 @@ namespace footfall::ui {
 struct SceneParts {
   bool environment = true;  ///< walls, ceilings and floors without a state
   bool walkable = true;
-  bool removed = true;             ///< floors in the paint of the filter that removed them
-  std::uint8_t plainRemovals = 0;  ///< bits of reasons whose floors are drawn as if they had no state
+  bool removed = true;              ///< floors in the paint of the filter that removed them
+  std::uint32_t plainRemovals = 0;  ///< bits of reasons whose floors are drawn as if nothing was said about them
   bool obstacleEdges = true;
   bool connections = true;
   bool steps = true;
   bool gaps = true;
   bool drops = true;
   bool outlines = true;              ///< creases of the environment and outlines of the walkable area
-  bool cells = false;                ///< cells of a parallel block, over everything that faces up
-  bool inside = true;                ///< closed levels are opened; LevelView::setInside() overrides it
-  ViewMode mode = ViewMode::Result;  ///< LevelView::setMode() overrides it
-  [[nodiscard]] bool shows(Removal removal) const { return (plainRemovals & bitOf(removal)) == 0; }
-  void show(Removal removal, bool on) {
-    plainRemovals = static_cast<std::uint8_t>(on ? plainRemovals & ~bitOf(removal) : plainRemovals | bitOf(removal));
+  bool cells = false;                ///< of a parallel block, over everything that faces up
+  bool inside = true;                ///< one looks into closed levels; LevelView::setInside() knows better, as with:
+  ViewMode mode = ViewMode::Result;  ///< LevelView::setMode() knows better than who switches parts
+  [[nodiscard]] bool shows(const RemovalStyle& style) const { return (plainRemovals & bitOf(style)) == 0; }
+  void show(const RemovalStyle& style, bool on) {
+    plainRemovals = on ? plainRemovals & ~bitOf(style) : plainRemovals | bitOf(style);
   }
   bool operator==(const SceneParts&) const = default;
 
  private:
-  static unsigned bitOf(Removal removal) { return 1U << static_cast<unsigned>(removal); }
+  static std::uint32_t bitOf(const RemovalStyle& style) { return std::uint32_t{1} << style.number; }
 };
 
 /// The facts that the rule depends on besides the parts.

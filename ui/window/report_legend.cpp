@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "ui/view/appearance.hpp"
 
@@ -48,10 +49,9 @@ void addRemoved(Images& images, const ViewContent& content, const SceneParts& pa
   for (const ViewContent::Removed& removed : content.removed)
     if (std::ranges::find(styles, removed.style) == styles.end()) styles.push_back(removed.style);
   for (const RemovalStyle* style : styles) {
-    if (!parts.shows(style->removal)) continue;
+    if (!parts.shows(*style)) continue;
     std::string caption = "Not walkable: removed by " + std::string(filterDescriptor(style->filter).name);
-    if (style->removal == Removal::NearWall) caption += ", too near a wall";
-    if (style->removal == Removal::NearLedge) caption += ", too near a ledge";
+    if (style != removalStyle(style->filter)) caption += ": " + Text(style->removal->legend).str();
     addPaint(images, caption, vivid ? style->vivid : style->paint);
   }
 }

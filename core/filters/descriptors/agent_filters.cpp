@@ -1,12 +1,34 @@
-// Filters that say where an agent of given measures can be, and where it can go.
+// Filters that say where an agent of given measures can be.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
 
 FilterDescriptor describeSlope() {
+  static const FilterTraits kTraits{
+      .removals = {{
+          .verdict = PlaceVerdict::TooSteep,
+          .word = "too_steep",
+          .headline = FOOTFALL_TEXT("Not walkable: too steep"),
+          .reason = FOOTFALL_TEXT("It rises by %1; at most %2 are allowed."),
+          .reasonWithoutMeasure = kNoText,
+          .measure = PlaceMeasure::Slope,
+          .limit = 0,
+          .legend = FOOTFALL_TEXT("Too steep"),
+          .paint = RemovalPaint{{176, 150, 128}, kOrange, FillPattern::RisingStripes},
+      }},
+      .parameters = {{AgentSize::MaxSlope, MeasureKind::Angle}, kPlainParameter},
+      .makesBorders = always,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::InCells>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Slope,
       .name = "SlopeFilter",
@@ -46,10 +68,32 @@ FilterDescriptor describeSlope() {
                      }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeVerticalClearance() {
+  static const FilterTraits kTraits{
+      .removals = {{
+          .verdict = PlaceVerdict::TooLow,
+          .word = "too_low",
+          .headline = FOOTFALL_TEXT("Not walkable: too low"),
+          .reason = FOOTFALL_TEXT("Triangle %3 is %1 above it; agents need %2."),
+          .reasonWithoutMeasure = FOOTFALL_TEXT("Something is above it within the %2 that agents need."),
+          .measure = PlaceMeasure::Headroom,
+          .limit = 0,
+          .legend = FOOTFALL_TEXT("Too little headroom"),
+          .paint = RemovalPaint{{150, 138, 176}, kReddishPurple, FillPattern::FallingStripes},
+      }},
+      .parameters = {{AgentSize::Height, MeasureKind::Height}},
+      .makesBorders = always,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::InCells>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::VerticalClearance,
       .name = "VerticalClearanceFilter",
@@ -81,59 +125,61 @@ FilterDescriptor describeVerticalClearance() {
       }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
-  };
-}
-
-FilterDescriptor describeStep() {
-  return {
-      .type = FilterType::Step,
-      .name = "StepFilter",
-      .aliases = {},
-      .label = "Steps",
-      .help =
-          "Links borders of the walkable area that lie over each other in the plan, or beside each other with a gap "
-          "between them, where an agent can lift its feet from one to the other: stairs, kerbs, thresholds, low walls "
-          "without thickness, slits. The area stays as it is; for the filters that follow, what is linked is one "
-          "region.",
-      .precondition = "A VerticalClearanceFilter comes before it.",
-      .effect =
-          "Every stretch on which two borders coincide in the plan is linked exactly where their heights differ by at "
-          "most the step and nothing lies higher than the step above the lower one and within the clearance above the "
-          "higher one. Borders that face each other across a gap are linked where that is proven of all ways over it, "
-          "straight along the plan; a stretch of at most twice the gap only where both floors do not hang together "
-          "right "
-          "there anyway. Filters that follow keep links where they leave both borders; another StepFilter adds to "
-          "them.",
-      .source = "ours",
-      .parameters = {{
-                         .name = "step",
-                         .label = "Step",
-                         .help = "The highest step that an agent climbs, this height included. Where coordinates lie "
-                                 "on a grid, a step that is higher by one step of the grid is climbed as well.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.4,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .minimumOpen = true,
-                     },
-                     {
-                         .name = "gap",
-                         .label = "Gap",
-                         .help = "The widest gap that an agent steps over, seen from above. 0: borders must coincide.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.05,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .optional = true,
-                     }},
-      .kind = FilterKind::Filter,
-      .scope = Scope::Local,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeRadius() {
+  static const FilterTraits kTraits{
+      .removals = {{
+                       .verdict = PlaceVerdict::Removed,
+                       .word = "too_near_border",
+                       .headline = FOOTFALL_TEXT("Not walkable: too near a border"),
+                       .reason = FOOTFALL_TEXT("Agents stay %2 away from borders."),
+                       .reasonWithoutMeasure = kNoText,
+                       .measure = PlaceMeasure::None,
+                       .limit = 0,
+                       .legend = FOOTFALL_TEXT("Too near a border"),
+                       .paint = RemovalPaint{{140, 172, 150}, kBluishGreen, FillPattern::LevelStripes},
+                   },
+                   {
+                       .verdict = PlaceVerdict::TooNearWall,
+                       .word = "too_near_wall",
+                       .headline = FOOTFALL_TEXT("Not walkable: too near a wall"),
+                       .reason =
+                           FOOTFALL_TEXT("Agents stay %2 away from walls; this place is %1 from the nearest one."),
+                       .reasonWithoutMeasure = FOOTFALL_TEXT("Agents stay %2 away from walls."),
+                       .measure = PlaceMeasure::WallDistance,
+                       .limit = 0,
+                       .legend = FOOTFALL_TEXT("Too near a wall"),
+                       .paint = RemovalPaint{{140, 172, 150}, kBluishGreen, FillPattern::LevelStripes},
+                   },
+                   {
+                       .verdict = PlaceVerdict::TooNearLedge,
+                       .word = "too_near_ledge",
+                       .headline = FOOTFALL_TEXT("Not walkable: too near a ledge"),
+                       .reason = FOOTFALL_TEXT("Agents stay %2 away from ledges: drops and the ends of the level; this "
+                                               "place is %1 from the nearest one."),
+                       .reasonWithoutMeasure =
+                           FOOTFALL_TEXT("Agents stay %2 away from ledges: drops and the ends of the level."),
+                       .measure = PlaceMeasure::LedgeDistance,
+                       .limit = 1,
+                       .legend = FOOTFALL_TEXT("Too near a ledge"),
+                       .paint = RemovalPaint{{156, 188, 222}, kSkyBlue, FillPattern::UprightStripes},
+                   }},
+      .parameters = {{AgentSize::Radius, MeasureKind::Distance}, {{}, MeasureKind::Distance}, kPlainParameter},
+      .makesBorders = never,
+      .clearanceNeed =
+          [](StepValues values) {
+            return values[0] == values[1] ? kNoText
+                                          : FOOTFALL_TEXT("%1 with a distance of its own to ledges needs %2 before it");
+          },
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::Never>,
+      .tileProblem = kSeesAcrossCells,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Radius,
       .name = "RadiusFilter",
@@ -189,98 +235,32 @@ FilterDescriptor describeRadius() {
            }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
-  };
-}
-
-FilterDescriptor describeDrop() {
-  return {
-      .type = FilterType::Drop,
-      .name = "DropFilter",
-      .aliases = {},
-      .label = "Drops",
-      .help =
-          "Finds where an agent can drop from a ledge of the walkable area to a lower place, one way: straight below "
-          "the ledge, or where the first floor begins within the reach outwards. Nothing may stand in the way, higher "
-          "than the step of the StepFilter before it and within the clearance, or above the landing along the fall. "
-          "The area stays as it is.",
-      .precondition =
-          "A VerticalClearanceFilter comes before it; only AreaFilter, ReachableFilter and DropFilter follow.",
-      .effect =
-          "Every drop that is found is free. Those that land straight below are all found, but for rounding of their "
-          "ends; of those across a gap, all that have a little to spare.",
-      .source = "ours",
-      .parameters = {{
-                         .name = "depth",
-                         .label = "Depth",
-                         .help = "The deepest drop that an agent takes, this depth included.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 1.5,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .minimumOpen = true,
-                     },
-                     {
-                         .name = "reach",
-                         .label = "Reach",
-                         .help = "The largest distance outwards, seen from above, at which an agent lands. After a "
-                                 "RadiusFilter, give at least twice its radius.",
-                         .type = ParameterType::Real,
-                         .unit = Unit::Length,
-                         .defaultValue = 0.3,
-                         .minimum = 0,
-                         .maximum = kNoLimit,
-                         .optional = true,
-                     }},
-      .kind = FilterKind::Filter,
-      .scope = Scope::Global,
-  };
-}
-
-namespace {
-
-ParameterDescriptor coordinate(std::string_view name, std::string_view label, std::string_view help) {
-  return {
-      .name = name,
-      .label = label,
-      .help = help,
-      .type = ParameterType::Real,
-      .unit = Unit::Length,
-      .defaultValue = 0,
-      .minimum = -kNoLimit,
-      .maximum = kNoLimit,
-  };
-}
-
-}  // namespace
-
-FilterDescriptor describeReachable() {
-  return {
-      .type = FilterType::Reachable,
-      .name = "ReachableFilter",
-      .aliases = {},
-      .label = "Reachable",
-      .help =
-          "Keeps what can be reached from given places, the seeds. Ways lead over shared edges and steps, and down "
-          "over "
-          "drops; roofs, islands and the insides of solids go. Put it behind a StepFilter and a DropFilter, where "
-          "there is one. A seed means the highest walkable place at or under it, at most the clearance lower; before "
-          "any VerticalClearanceFilter, however much lower. "
-          "On an edge or a corner it means all that meets there. What is removed stays an obstacle.",
-      .precondition = "Each seed has a walkable place under it.",
-      .effect = "Every walkable region holds a seed, or is reached over drops from one that does.",
-      .source = "ours",
-      .parameters = {coordinate("x", "X", "The first coordinate of a seed, as in the environment's file."),
-                     coordinate("y", "Y", "The second coordinate of a seed, as in the environment's file."),
-                     coordinate("z", "Z", "The third coordinate of a seed, as in the environment's file.")},
-      .kind = FilterKind::Filter,
-      .scope = Scope::Global,
-      .repeats = 3,
-      .groups = "seeds",
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeArea() {
+  static const FilterTraits kTraits{
+      .removals = {{
+          .verdict = PlaceVerdict::RegionTooSmall,
+          .word = "region_too_small",
+          .headline = FOOTFALL_TEXT("Not walkable: too small an area"),
+          .reason = FOOTFALL_TEXT("The connected region around it has an area of %1; it must have more than %2."),
+          .reasonWithoutMeasure = kNoText,
+          .measure = PlaceMeasure::RegionArea,
+          .limit = 0,
+          .legend = FOOTFALL_TEXT("Too small an area"),
+          .paint = RemovalPaint{{146, 160, 168}, kBlue, FillPattern::Dots},
+      }},
+      .parameters = {kPlainParameter},
+      .makesBorders = never,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = true,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::Regions>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Area,
       .name = "AreaFilter",
@@ -304,6 +284,7 @@ FilterDescriptor describeArea() {
       }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
+      .traits = &kTraits,
   };
 }
 

@@ -23,11 +23,13 @@ FilterDescriptor describeRounding();
 // core/filters/descriptors/agent_filters.cpp
 FilterDescriptor describeSlope();
 FilterDescriptor describeVerticalClearance();
-FilterDescriptor describeStep();
 FilterDescriptor describeRadius();
+FilterDescriptor describeArea();
+
+// core/filters/descriptors/way_filters.cpp
+FilterDescriptor describeStep();
 FilterDescriptor describeDrop();
 FilterDescriptor describeReachable();
-FilterDescriptor describeArea();
 
 // core/filters/descriptors/parallel_blocks.cpp
 FilterDescriptor describeGridStrategy();

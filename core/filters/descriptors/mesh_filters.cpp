@@ -1,12 +1,47 @@
 // Filters that change how the walkable area is made of triangles.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 
 namespace footfall::detail {
+namespace {
+
+/// The removal of filters that move vertices: a place may be left without a triangle.
+Removal movedAway(std::optional<std::size_t> limit) {
+  return {
+      .verdict = PlaceVerdict::Moved,
+      .word = "moved",
+      .headline = FOOTFALL_TEXT("Not walkable: merged away"),
+      .reason = FOOTFALL_TEXT("The filter moved vertices, and no triangle is here any more."),
+      .reasonWithoutMeasure = kNoText,
+      .measure = PlaceMeasure::None,
+      .limit = limit,
+      .legend = kNoText,
+      .paint = {},
+  };
+}
+
+}  // namespace
 
 FilterDescriptor describeDuplication() {
+  static const FilterTraits kTraits{
+      .removals = {movedAway(0)},
+      .parameters = {kPlainParameter},
+      .makesBorders = always,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach =
+          [](StepValues values) {
+            return Reach{values[0], 0};
+          },
+      .tileUse = [](StepValues values) { return values[0] == 0 ? TileUse::InCells : TileUse::Never; },
+      .tileProblem =
+          FOOTFALL_TEXT("%1: %2 joins vertices across cells when its distance is above 0 and cannot keep to a bound of "
+                        "memory; leave it out, or run without the bound, with all of the environment in memory"),
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Duplication,
       .name = "DuplicationFilter",
@@ -33,10 +68,32 @@ FilterDescriptor describeDuplication() {
       }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeDegeneracy() {
+  static const FilterTraits kTraits{
+      .removals = {{
+          .verdict = PlaceVerdict::NoArea,
+          .word = "no_area",
+          .headline = FOOTFALL_TEXT("Not walkable: without area"),
+          .reason = FOOTFALL_TEXT("The corners of this triangle lie on one line."),
+          .reasonWithoutMeasure = kNoText,
+          .measure = PlaceMeasure::None,
+          .limit = {},
+          .legend = kNoText,
+          .paint = {},
+      }},
+      .parameters = {},
+      .makesBorders = always,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::InCells>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Degeneracy,
       .name = "DegeneracyFilter",
@@ -51,10 +108,27 @@ FilterDescriptor describeDegeneracy() {
       .parameters = {},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeSimplification() {
+  static const FilterTraits kTraits{
+      .removals = {movedAway({})},
+      .parameters = {kPlainParameter, kPlainParameter},
+      .makesBorders = [](StepValues values) { return values[0] != 0; },
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach =
+          [](StepValues values) {
+            return Reach{0, values[0] == 0 ? 0 : values[1]};
+          },
+      .tileUse = [](StepValues values) { return values[0] == 0 ? TileUse::OverTiles : TileUse::Never; },
+      .tileProblem =
+          FOOTFALL_TEXT("%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run "
+                        "without the bound, with all of the environment in memory"),
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Simplification,
       .name = "SimplificationFilter",
@@ -94,10 +168,22 @@ FilterDescriptor describeSimplification() {
                      }},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeLayerSubdivision() {
+  static const FilterTraits kTraits{
+      .removals = {},
+      .parameters = {},
+      .makesBorders = never,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::OverTiles>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::LayerSubdivision,
       .name = "LayerSubdivisionFilter",
@@ -114,10 +200,24 @@ FilterDescriptor describeLayerSubdivision() {
       .parameters = {},
       .kind = FilterKind::Filter,
       .scope = Scope::Global,
+      .traits = &kTraits,
   };
 }
 
 FilterDescriptor describeRounding() {
+  static const FilterTraits kTraits{
+      .removals = {movedAway({})},
+      .parameters = {kPlainParameter},
+      .makesBorders = always,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::Never>,
+      .tileProblem = FOOTFALL_TEXT(
+          "%1: %2 moves vertices that cells share and cannot keep to a bound of memory; leave it out, or run "
+          "without the bound, with all of the environment in memory"),
+      .problem = noProblem,
+  };
   return {
       .type = FilterType::Rounding,
       .name = "RoundingFilter",
@@ -143,6 +243,7 @@ FilterDescriptor describeRounding() {
       }},
       .kind = FilterKind::Filter,
       .scope = Scope::Local,
+      .traits = &kTraits,
   };
 }
 

@@ -1,6 +1,7 @@
 // Strategies, which begin a parallel block, and Collapse, which ends it.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/filters/descriptors/descriptors.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 
@@ -52,6 +53,26 @@ ParameterDescriptor optional(ParameterDescriptor parameter) {
   return parameter;
 }
 
+FilterTraits traitsOfBlocks(bool (*makesBorders)(StepValues)) {
+  return {
+      .removals = {},
+      .parameters = {},
+      .makesBorders = makesBorders,
+      .clearanceNeed = needsNoClearance,
+      .keepsDrops = false,
+      .reach = movesNothing,
+      .tileUse = tilesAlways<TileUse::LeftOut>,
+      .tileProblem = kNoText,
+      .problem = noProblem,
+  };
+}
+
+/// The traits of all strategies.
+const FilterTraits* strategyTraits() {
+  static const FilterTraits kTraits = traitsOfBlocks(never);
+  return &kTraits;
+}
+
 }  // namespace
 
 FilterDescriptor describeGridStrategy() {
@@ -80,6 +101,7 @@ FilterDescriptor describeGridStrategy() {
                      optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
+      .traits = strategyTraits(),
   };
 }
 
@@ -98,6 +120,7 @@ FilterDescriptor describeRecursiveStrategy() {
       .parameters = {kMinimumTriangles, kMaximumDepth, optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
+      .traits = strategyTraits(),
   };
 }
 
@@ -116,6 +139,7 @@ FilterDescriptor describeSortedRecursiveStrategy() {
       .parameters = {kMinimumTriangles, kMaximumDepth, kRoundCuts},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
+      .traits = strategyTraits(),
   };
 }
 
@@ -139,6 +163,7 @@ FilterDescriptor describeHeightAwareStrategy() {
       .parameters = {least, kMaximumDepth, optional(kRoundCuts)},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
+      .traits = strategyTraits(),
   };
 }
 
@@ -157,10 +182,12 @@ FilterDescriptor describeAutoStrategy() {
       .parameters = {},
       .kind = FilterKind::Strategy,
       .scope = Scope::Global,
+      .traits = strategyTraits(),
   };
 }
 
 FilterDescriptor describeCollapse() {
+  static const FilterTraits kTraits = traitsOfBlocks(always);
   return {
       .type = FilterType::Collapse,
       .name = "Collapse",
@@ -175,6 +202,7 @@ FilterDescriptor describeCollapse() {
       .parameters = {},
       .kind = FilterKind::Collapse,
       .scope = Scope::Global,
+      .traits = &kTraits,
   };
 }
 

@@ -12,6 +12,10 @@
 
 namespace footfall {
 
+namespace detail {
+struct FilterTraits;  // core/filters/filter_traits.hpp
+}
+
 enum class FilterType : std::uint8_t;  // footfall/filter_type.hpp names them
 
 /// A strategy begins a parallel block, and Collapse ends it.
@@ -36,7 +40,8 @@ struct FilterDescriptor {
   /// The number of last parameters that form a group which a step has any number of times, also not at all
   /// (ReachableFilter's x y z); 0: each parameter occurs once.
   std::size_t repeats = 0;
-  std::string_view groups{};  ///< name of the groups in JSON, e.g. "seeds"; empty when nothing repeats
+  std::string_view groups{};           ///< name of the groups in JSON, e.g. "seeds"; empty when nothing repeats
+  const detail::FilterTraits* traits;  ///< what the library itself decides by
 
   /// The descriptor of value `index` of a step.
   [[nodiscard]] const ParameterDescriptor& parameterOf(std::size_t index) const {

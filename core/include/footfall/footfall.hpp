@@ -29,6 +29,7 @@
 #include "footfall/parameter.hpp"
 #include "footfall/path.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/place_verdict.hpp"
 #include "footfall/plan_areas.hpp"
 #include "footfall/report.hpp"
 #include "footfall/run.hpp"

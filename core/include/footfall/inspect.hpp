@@ -11,6 +11,7 @@
 #include "footfall/environment.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "footfall/pipeline.hpp"
+#include "footfall/place_verdict.hpp"
 #include "footfall/run.hpp"
 #include "footfall/run_context.hpp"
 
@@ -59,21 +60,6 @@ std::uint32_t leastLayers(const NavigationMesh& mesh);
 struct PickedPlace {
   std::uint32_t triangle = 0;  ///< index into Environment::triangles
   Vec3 point;                  ///< point on it, within rounding; environment units, Z up
-};
-
-enum class PlaceVerdict {
-  Walkable,
-  NoArea,          ///< the triangle is degenerate
-  Vertical,        ///< it is a wall
-  FacesDown,       ///< no triangle in its plane that faces up is here
-  NeverFloor,      ///< it faces up, but is no floor before the first filter
-  TooSteep,        ///< SlopeFilter
-  TooLow,          ///< VerticalClearanceFilter
-  RegionTooSmall,  ///< AreaFilter
-  Moved,           ///< a filter that moves vertices left nothing here
-  Unreachable,     ///< ReachableFilter
-  TooNearWall,     ///< RadiusFilter
-  TooNearLedge,    ///< RadiusFilter; no wall is too near
 };
 
 /// A triangle above a place.

@@ -114,7 +114,8 @@ std::string formatExplanation(const Inspector& inspector, const PlaceExplanation
 /// there is none.
 std::string formatExplanationJson(const Inspector& inspector, const PlaceExplanation& explanation);
 
-/// The word for a verdict in JSON, e.g. "too_low".
-std::string_view verdictWord(PlaceVerdict verdict);
+/// The word for a verdict in JSON, e.g. "too_low"; for a verdict of a filter, the word of its descriptor. `pipeline` is
+/// that of the run.
+std::string_view verdictWord(const Pipeline& pipeline, const PlaceExplanation& explanation);
 
 }  // namespace footfall

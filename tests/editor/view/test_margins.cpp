@@ -3,6 +3,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QCheckBox>
 
+#include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/view/appearance.hpp"
@@ -38,13 +39,14 @@ class TestMargins : public QObject {
   void wallsAndLedgesHavePaintsOfTheirOwn() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     QCOMPARE(reasons(), (QStringList{"Too near a wall", "Too near a ledge"}));
-    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
-    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
-    QVERIFY(hasPaint({0, 3.5, 0}, Removal::NearLedge));
-    QVERIFY(hasPaint({-3.5, 3.5, 0}, Removal::NearWall));  // near both
+    QVERIFY(hasPaint({-3.5, 0, 0}, PlaceVerdict::TooNearWall));
+    QVERIFY(hasPaint({3.5, 0, 0}, PlaceVerdict::TooNearLedge));
+    QVERIFY(hasPaint({0, 3.5, 0}, PlaceVerdict::TooNearLedge));
+    QVERIFY(hasPaint({-3.5, 3.5, 0}, PlaceVerdict::TooNearWall));  // near both
     QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
     // Each is drawn in stripes of another direction.
-    QVERIFY(removalStyle(Removal::NearWall).paint.pattern != removalStyle(Removal::NearLedge).paint.pattern);
+    QVERIFY(removalStyle(PlaceVerdict::TooNearWall).paint.pattern !=
+            removalStyle(PlaceVerdict::TooNearLedge).paint.pattern);
   }
 
   void theResultIsThereBeforeItsKinds() {
@@ -106,21 +108,21 @@ class TestMargins : public QObject {
     QCOMPARE(window_->controller().finishedRun()->pipeline.steps[2].values[0], 1.5);
     const QStringList both{"Too near a wall", "Too near a ledge"};
     QCOMPARE(reasons(), both);
-    QVERIFY(hasPaint({-2.7, 0, 0}, Removal::NearWall));
-    QVERIFY(hasPaint({2.7, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({-2.7, 0, 0}, PlaceVerdict::TooNearWall));
+    QVERIFY(hasPaint({2.7, 0, 0}, PlaceVerdict::TooNearLedge));
     QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
     // Another run fails after they are known.
     window_->document().setValue(radius, 0, 1e-31, 3);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 2, 20000);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(reasons(), both);
-    QVERIFY(hasPaint({-2.7, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({-2.7, 0, 0}, PlaceVerdict::TooNearWall));
     // The first result's are not taken for those of a later one.
     window_->document().setValue(radius, 0, 0.5, 4);
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
     QCOMPARE(reasons(), both);
-    QVERIFY(hasPaint({-3.7, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({-3.7, 0, 0}, PlaceVerdict::TooNearWall));
     QVERIFY(hasPaint({-2.7, 0, 0}, walkablePaint().colour));
   }
 
@@ -139,12 +141,12 @@ class TestMargins : public QObject {
   void switchesOfTheLegend() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     click("Too near a ledge");
-    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
+    QVERIFY(hasPaint({-3.5, 0, 0}, PlaceVerdict::TooNearWall));
     QVERIFY(hasPaint({3.5, 0, 0}, undecidedPaint().colour));
     click("Too near a wall");
     QVERIFY(hasPaint({-3.5, 0, 0}, undecidedPaint().colour));
     click("Too near a ledge");
-    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({3.5, 0, 0}, PlaceVerdict::TooNearLedge));
     QVERIFY(hasPaint({-3.5, 0, 0}, undecidedPaint().colour));
     // Other content keeps them.
     window_->document().setValue(window_->document().filters()[2].id, 0, 1.25, 0);
@@ -155,13 +157,13 @@ class TestMargins : public QObject {
 
   void distancesOfTheirOwn() {
     open(QByteArray(kClearance) + "RadiusFilter 1 2\n");
-    QVERIFY(hasPaint({-3.5, 0, 0}, Removal::NearWall));
-    QVERIFY(hasPaint({2.5, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({-3.5, 0, 0}, PlaceVerdict::TooNearWall));
+    QVERIFY(hasPaint({2.5, 0, 0}, PlaceVerdict::TooNearLedge));
     open(QByteArray(kClearance) + "RadiusFilter 1 0\n");
     QCOMPARE(reasons(), (QStringList{"Too near a wall"}));
     open(QByteArray(kClearance) + "RadiusFilter 0 1\n");
     QCOMPARE(reasons(), (QStringList{"Too near a ledge"}));
-    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({3.5, 0, 0}, PlaceVerdict::TooNearLedge));
   }
 
   void oneKindAlone() {
@@ -170,7 +172,7 @@ class TestMargins : public QObject {
     // Walls are undefined without a clearance.
     open(QByteArray(kSlope) + "RadiusFilter 1\n");
     QCOMPARE(reasons(), (QStringList{"Too near a border"}));
-    QVERIFY(hasPaint({3.5, 0, 0}, Removal::NearBorder));
+    QVERIFY(hasPaint({3.5, 0, 0}, removalStyle(FilterType::Radius)->paint.colour));
   }
 
   void behindOtherRemovals() {
@@ -179,12 +181,12 @@ class TestMargins : public QObject {
                  "v 5 -2 0\nv 6 -2 1.7320508\nv 6 2 1.7320508\nv 5 2 0\nf 11 12 13 14\n",
              QByteArray(kClearance) + "RadiusFilter 0.5\n");
     QVERIFY(reasons().contains("Too steep") && reasons().contains("Too near a wall"));
-    QVERIFY(hasPaint({5.5, 0, 0.87}, Removal::TooSteep));
-    QVERIFY(hasPaint({-3.75, 0, 0}, Removal::NearWall));
-    QVERIFY(hasPaint({3.75, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({5.5, 0, 0.87}, PlaceVerdict::TooSteep));
+    QVERIFY(hasPaint({-3.75, 0, 0}, PlaceVerdict::TooNearWall));
+    QVERIFY(hasPaint({3.75, 0, 0}, PlaceVerdict::TooNearLedge));
     click("Too steep");
     QVERIFY(hasPaint({5.5, 0, 0.87}, undecidedPaint().colour));
-    QVERIFY(hasPaint({3.75, 0, 0}, Removal::NearLedge));
+    QVERIFY(hasPaint({3.75, 0, 0}, PlaceVerdict::TooNearLedge));
   }
 
   void statusesAndStatisticsAreOfTheList() {
@@ -216,7 +218,7 @@ class TestMargins : public QObject {
       if (box->text() == reason) return box->click();
     QFAIL(qPrintable("no switch for " + reason));
   }
-  bool hasPaint(const Vec3& place, Removal removal) { return hasPaint(place, removalStyle(removal).paint.colour); }
+  bool hasPaint(const Vec3& place, PlaceVerdict verdict) { return hasPaint(place, removalStyle(verdict).paint.colour); }
   /// The brightest pixel around is between the stripes; light keeps hue and saturation.
   bool hasPaint(const Vec3& place, const QColor& colour) {
     const QImage picture = window_->view().grabFramebuffer();

@@ -61,7 +61,9 @@ class TestWhyCommand : public QObject {
       const Outcome outcome =
           footfallWhy(arguments + QStringList{"--filter", "SlopeFilter 45", "--filter", "VerticalClearanceFilter 2"});
       QVERIFY2(outcome.exitCode == 0, outcome.err.constData());
-      QVERIFY2(outcome.out.contains("is 1.5 above where 2 are needed"), outcome.out.constData());
+      QVERIFY2(outcome.out.contains("not walkable: too low. Triangle ") &&
+                   outcome.out.contains(" is 1.5 above it; agents need 2."),
+               outcome.out.constData());
       QVERIFY(outcome.out.contains("rejected by step 2: VerticalClearanceFilter 2"));
       QVERIFY(outcome.out.startsWith(arguments[2] == "z" ? "1 3 0 on " : "1 0 -3 on "));
     }

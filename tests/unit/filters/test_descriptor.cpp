@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QFile>
 #include <QTest>
+#include <map>
 #include <set>
 #include <string>
 
 #include "core/filters/descriptor_text.hpp"
+#include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "footfall/pipeline.hpp"
@@ -18,6 +20,9 @@ class TestDescriptor : public QObject {
  private slots:
   void namesAreUniqueAndFound();
   void everythingIsExplained();
+  void removalsAreExplained();
+  void removalsLookDifferent();
+  void sizesDriveOneParameterEach();
   void defaultsAreInRange();
   void optionalParametersAreLast();
   void scopesFollowTheDesign_data();
@@ -45,7 +50,7 @@ void TestDescriptor::namesAreUniqueAndFound() {
     std::set<std::string_view> parameters;
     for (const ParameterDescriptor& parameter : filter.parameters) QVERIFY(parameters.insert(parameter.name).second);
   }
-  QCOMPARE(filterDescriptors().size(), std::size_t{18});
+  QCOMPARE(filterDescriptors().size(), std::size_t{kFilterTypes});
   QVERIFY(findFilter("slopefilter") == nullptr);
   QVERIFY(findFilter("") == nullptr);
 }
@@ -59,6 +64,55 @@ void TestDescriptor::everythingIsExplained() {
       QVERIFY(parameter.help.ends_with('.'));
       QVERIFY(parameter.name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == parameter.name.npos);
     }
+  }
+}
+
+void TestDescriptor::removalsAreExplained() {
+  std::set<std::string_view> words;
+  std::set<PlaceVerdict> verdicts;
+  for (const FilterDescriptor& filter : filterDescriptors()) {
+    QVERIFY(filter.traits != nullptr && filter.traits->parameters.size() <= filter.parameters.size());
+    for (const Removal& removal : filter.traits->removals) {
+      const std::string_view reason = removal.reason.english, without = removal.reasonWithoutMeasure.english;
+      QVERIFY(std::string_view(removal.headline.english).starts_with("Not walkable: ") && reason.ends_with('.'));
+      // Moved belongs to all filters that move vertices.
+      QVERIFY(words.insert(removal.word).second || removal.verdict == PlaceVerdict::Moved);
+      QVERIFY(removal.verdict == PlaceVerdict::Removed || removal.verdict == PlaceVerdict::Moved ||
+              verdicts.insert(removal.verdict).second);
+      QCOMPARE(reason.find("%1") != reason.npos, removal.measure != PlaceMeasure::None);
+      QVERIFY(reason.find("%2") == reason.npos || removal.limit);
+      QVERIFY(without.find("%1") == without.npos && without.find("%3") == without.npos);
+      QVERIFY(!removal.limit || *removal.limit < filter.parameters.size());
+      QCOMPARE(*removal.legend.english != '\0', removal.paint.has_value());
+    }
+    for (std::size_t i = 1; i < filter.traits->removals.size(); ++i)
+      QVERIFY(findRemoval(*filter.traits, filter.traits->removals[i].verdict) == &filter.traits->removals[i]);
+  }
+}
+
+void TestDescriptor::removalsLookDifferent() {
+  std::set<std::pair<FillPattern, Rgb>> paints;
+  for (const FilterDescriptor& filter : filterDescriptors()) {
+    std::set<std::pair<FillPattern, Rgb>> own;  // a filter may draw two of its reasons alike
+    for (const Removal& removal : filter.traits->removals)
+      if (removal.paint) own.insert({removal.paint->pattern, removal.paint->pale});
+    for (const auto& paint : own) {
+      QVERIFY(paint.first != FillPattern::Plain);
+      QVERIFY(paints.insert(paint).second);
+    }
+  }
+}
+
+void TestDescriptor::sizesDriveOneParameterEach() {
+  std::map<AgentSize, int> found;
+  for (const FilterDescriptor& filter : filterDescriptors())
+    for (std::size_t i = 0; i < filter.parameters.size(); ++i)
+      if (const auto size = parameterUse(filter, i).agentSize) ++found[*size];
+  QCOMPARE(found.size(), std::size_t{6});
+  for (const auto& [size, count] : found) {
+    QCOMPARE(count, 1);
+    const DrivenParameter driven = drivenBy(size);
+    QVERIFY(parameterUse(*driven.filter, driven.parameter).agentSize == size);
   }
 }
 
