@@ -398,6 +398,15 @@ void BlockRun::done(Index cell, std::size_t items) {
   if (items > 0 && cells_[cell].left.fetch_sub(items) == items) finish(cell);
 }
 
+std::vector<CellReuse> BlockRun::reuse() const {
+  std::vector<CellReuse> all(cells_.size());
+  for (std::size_t cell = 0; cell < cells_.size() && filters_.clearance != nullptr; ++cell) {
+    all[cell].floors = cells_[cell].floors.size();
+    for (const Index face : cells_[cell].floors) all[cell].reused += filters_.clearance->isReused(face) ? 1 : 0;
+  }
+  return all;
+}
+
 double BlockRun::workMs(std::size_t filter) const {
   double sum = 0;
   for (const ThreadRecord& record : records_) sum += record.workMs[filter];

@@ -17,6 +17,7 @@
 #include "core/distributed/cell_share.hpp"
 #include "core/filters/clearance/clearance_pass.hpp"
 #include "core/partitioning/strategies.hpp"
+#include "core/pipeline/cell_reuse.hpp"
 #include "core/pipeline/cell_share_reader.hpp"
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
@@ -52,6 +53,8 @@ class BlockRun {
   /// The number of tests that each triangle passed in a row.
   [[nodiscard]] const std::vector<std::uint8_t>& passed() const { return passed_; }
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
+  /// For each cell; to be called when all have run. Without a clearance filter nothing is reused.
+  [[nodiscard]] std::vector<CellReuse> reuse() const;
   /// Time that all threads together spent on one of the filters, and on all.
   [[nodiscard]] double workMs(std::size_t filter) const;
   [[nodiscard]] double workMs() const;

@@ -134,6 +134,7 @@ class Block {
     }
     if (tests.size() > 0) outcome_.steps.back().fallbacks = cells.fallbacks();
     if (!pass) return;
+    outcome_.reuse = cells.reuse();
     const Stopwatch merging;
     mergingStartMs_ = clock_.wallMs();
     FilterOutcome outcome = pass->finish(state_->walkable, state_->removed, true);

@@ -9,6 +9,7 @@
 #include "core/distributed/cell_exchange.hpp"
 #include "core/filters/apply_filter.hpp"
 #include "core/partitioning/strategies.hpp"
+#include "core/pipeline/cell_reuse.hpp"
 #include "core/pipeline/runner.hpp"
 
 namespace footfall::detail {
@@ -32,6 +33,7 @@ struct BlockOutcome {
   StateSummary summary;
   std::vector<StepStatistics> steps;
   BlockReport report;
+  std::vector<CellReuse> reuse;  ///< of the cells; empty without a clearance filter
 };
 
 /// Runs the block on the threads of the present arena. The state is, byte for byte, the one that the block's filters

@@ -147,6 +147,20 @@ std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t
   return key;
 }
 
+std::vector<std::vector<CellReuse>> cellReuse(const std::shared_ptr<const Environment>& environment,
+                                              const Pipeline& pipeline, ResultCache& cache) {
+  std::vector<const PipelineStep*> steps;
+  for (const PipelineStep& step : pipeline.steps)
+    if (step.enabled) steps.push_back(&step);
+  std::vector<std::vector<CellReuse>> blocks;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    if (steps[i]->filter->kind != FilterKind::Collapse) continue;
+    std::optional<CachedPrefix> found = cache.inside().find(environment, prefixKey(steps, i + 1));
+    blocks.push_back(found ? std::move(found->reuse) : std::vector<CellReuse>());
+  }
+  return blocks;
+}
+
 }  // namespace footfall::detail
 
 namespace footfall {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/filters/rounding/known_places.hpp"
+#include "core/pipeline/cell_reuse.hpp"
 #include "core/pipeline/runner.hpp"
 
 namespace footfall::detail {
@@ -22,6 +23,7 @@ struct CachedPrefix {
   std::vector<StepStatistics> steps;             ///< statistics of the whole prefix, as measured
   std::shared_ptr<const NavigationMesh> mesh;    ///< empty until it is made
   std::shared_ptr<const RoundedPlaces> rounded;  ///< the places of which it was made
+  std::vector<CellReuse> reuse;                  ///< of the cells of a block that ends with the prefix
 };
 
 /// Thread-safe; see ResultCache.

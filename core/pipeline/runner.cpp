@@ -243,6 +243,7 @@ class Run {
       current_.summary = summarize(*current_.state);
       current_.mesh = nullptr;
       current_.rounded = nullptr;
+      current_.reuse.clear();
       statistics.out = current_.summary;
       current_.steps.push_back(std::move(statistics));
       remember();
@@ -291,6 +292,7 @@ class Run {
       current_.summary = outcome.summary;
       current_.mesh = nullptr;
       current_.rounded = nullptr;
+      current_.reuse = std::move(outcome.reuse);
       for (StepStatistics& step : outcome.steps) current_.steps.push_back(std::move(step));
       remember();
       // The time of post-processing so far lies between two blocks.

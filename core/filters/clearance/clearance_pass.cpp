@@ -172,6 +172,10 @@ std::size_t ClearancePass::mesh(Index face, Worker& own) {
   return triangles(face);
 }
 
+bool ClearancePass::isReused(Index face) const {
+  return isChanged_[face] == 0 && known_->sameClearance() && known_->before(face) >= 0;
+}
+
 std::size_t ClearancePass::triangles(Index face) const {
   if (cuts_->isRemoved(face)) return 0;
   const auto& mesh = (*meshes_)[face];

@@ -68,7 +68,9 @@ class ClearancePass {
   /// The cuts of a floor, and its mesh; null where nothing cuts it, or where there is no mesh.
   [[nodiscard]] const std::shared_ptr<const FaceCuts>& cutsOf(Index face) const { return cuts_->shared(face); }
   [[nodiscard]] const std::shared_ptr<const FaceMesh>& meshOf(Index face) const { return (*meshes_)[face]; }
-  /// The number of remaining triangles of a finished floor.
+  /// True when the outcome of a floor that is finished is that of an earlier run. Not to be called during clip().
+  [[nodiscard]] bool isReused(Index face) const;
+  /// How many triangles are left of a floor that is finished.
   [[nodiscard]] std::size_t triangles(Index face) const;
   [[nodiscard]] const PlanKernel& kernel() const { return *result_->kernel; }
   /// Triangulates what the cuts of a floor leave, to be taken by finish(). Returns its number of triangles.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/io/import.hpp"
+#include "core/pipeline/cell_reuse.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/errors.hpp"
 #include "tests/support/live_runs.hpp"
@@ -109,6 +110,39 @@ class TestLiveEdits : public QObject {
       editable.remove(obstacles.front());
       QVERIFY(agrees(editable.environment(), pipeline, cache));
     }
+  }
+
+  // Floors side by side in cells of their own: only the cell of an obstacle is computed again.
+  void cellsThatAnEditLeavesAloneAreReused() {
+    Soup soup;
+    for (int i = 0; i < 8; ++i) soup.floor(4 * i, 0, 4 * i + 3, 3, 0).box({4.0 * i + 1, 1, 0}, {4.0 * i + 2, 2, 1});
+    EditableEnvironment editable(soup.environment());
+    const Pipeline pipeline = parsePipeline("GridStrategy 8 1\nVerticalClearanceFilter 2\nCollapse\n", "test");
+    ResultCache cache;
+    const auto reuse = [&] {
+      RunContext context;
+      runPipeline(editable.environment(), pipeline, context, &cache);
+      return cellReuse(editable.environment(), pipeline, cache);
+    };
+    const std::vector<std::vector<CellReuse>> first = reuse();
+    QCOMPARE(first.size(), std::size_t{1});
+    QVERIFY(first[0].size() > 4);
+    for (const CellReuse& cell : first[0]) QCOMPARE(cell.reused, std::uint64_t{0});
+    editable.add(soupFor(Soup().box({0.25, 0.25, 0}, {0.75, 0.75, 1})));
+    const std::vector<std::vector<CellReuse>> second = reuse();
+    QCOMPARE(second[0].size(), first[0].size());
+    std::size_t all = 0, some = 0;
+    for (const CellReuse& cell : second[0]) {
+      all += cell.all() ? 1 : 0;
+      some += !cell.all() && cell.floors > 0 ? 1 : 0;
+    }
+    QVERIFY(some >= 1);
+    QCOMPARE(all + some, second[0].size());
+    QVERIFY(all + 2 >= second[0].size());
+    // The whole block comes from the cache: the same as in the run that computed it.
+    QCOMPARE(reuse()[0].front().reused, second[0].front().reused);
+    cache.clear();
+    QVERIFY(cellReuse(editable.environment(), pipeline, cache)[0].empty());
   }
 
   // The same among triangles that are mostly degenerate.
