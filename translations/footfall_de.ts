@@ -6825,6 +6825,17 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
+    <name>footfall::ui::ParameterNotes</name>
+    <message>
+        <source>Set the scale to %1</source>
+        <translation>Maßstab auf %1 setzen</translation>
+    </message>
+    <message>
+        <source>Set %1 to %2</source>
+        <translation>%1 auf %2 setzen</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::PartModel</name>
     <message>
         <source>(no material)</source>

@@ -27,6 +27,12 @@ constexpr double kSameSlope = 1e-12;  // of angles that are computed in doubles
 constexpr double kMuch = 0.01;        // of all that faces up
 constexpr std::size_t kFewest = 6;    // triangles: three risers are stairs
 
+/// The text of a note, empty where there is none, and its change.
+struct Advice {
+  Text text;
+  std::optional<ParameterMend> mend;
+};
+
 struct Risers {
   double lowest = 0, highest = 0;
   std::size_t triangles = 0;
@@ -50,26 +56,48 @@ std::string shortNumber(double value) {
   return {digits.data(), end.ptr};
 }
 
+/// A size of a level: to the metre, or in three digits.
+std::string metresText(double metres) {
+  std::array<char, 32> digits{};
+  const auto end =
+      metres < 100 ? std::to_chars(digits.data(), digits.data() + digits.size(), metres, std::chars_format::general, 3)
+                   : std::to_chars(digits.data(), digits.data() + digits.size(), std::round(metres),
+                                   std::chars_format::fixed, 0);
+  return end.ec == std::errc() ? std::string(digits.data(), end.ptr) : shortNumber(metres);
+}
+
+/// The number that such a text stands for.
+double numberOf(const std::string& text) {
+  double value = 0;
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
 /// A little more, in two digits.
 std::string littleMore(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
   return shortNumber(std::ceil(value * (1 + kNear / 10) / unit) * unit);
 }
 
-Text stepText(const LevelMeasures& level, double step, double clearance) {
+Advice stepAdvice(const LevelMeasures& level, double step, double clearance) {
   const Risers risers = mostFrequent(level.wallHeights, clearance / 2);
   if (risers.triangles < kFewest || risers.highest <= step || risers.lowest > step * (1 + kNear)) return {};
+  const std::string more = littleMore(risers.highest);
+  const ParameterMend mend{0, numberOf(more)};
   if (risers.lowest > step * (1 + kSame)) {
-    return {FOOTFALL_TEXT("most risers here are %1 high, a little more than the step, and are not climbed; give %2"),
-            shortNumber(risers.highest), littleMore(risers.highest)};
+    return {
+        Text(FOOTFALL_TEXT("most risers here are %1 high, a little more than the step, and are not climbed; give %2"),
+             shortNumber(risers.highest), more),
+        mend};
   }
   const auto above = std::ranges::upper_bound(level.wallHeights, step);
   const auto higher = std::ranges::upper_bound(level.wallHeights, risers.highest) - above;
   return {
-      FOOTFALL_TEXT("most risers here are %1 high, as the step is, and roundings make %2 of %3 a little higher, which "
-                    "are not climbed; give %4"),
-      shortNumber(risers.highest), Text::count(static_cast<std::uint64_t>(higher + 1) / 2),
-      Text::count((risers.triangles + 1) / 2), littleMore(risers.highest)};
+      Text(FOOTFALL_TEXT("most risers here are %1 high, as the step is, and roundings make %2 of %3 a little higher, "
+                         "which are not climbed; give %4"),
+           shortNumber(risers.highest), Text::count(static_cast<std::uint64_t>(higher + 1) / 2),
+           Text::count((risers.triangles + 1) / 2), more),
+      mend};
 }
 
 /// The nearest power of ten times the level's scale by which its longest side is as many metres as levels have.
@@ -81,23 +109,28 @@ double plausibleScale(const LevelMeasures& level, double longest, double least, 
 }
 
 /// A level that no agent of this height fits into as people and levels fit together.
-Text sizeText(const LevelMeasures& level, double height) {
+Advice sizeAdvice(const LevelMeasures& level, double height) {
   const double longest = std::max({level.size.x, level.size.y, level.size.z});
   const double metres = level.metresPerUnit * longest, agent = level.metresPerUnit * height;
   if (!(longest > 0) || !std::isfinite(metres) || !std::isfinite(agent)) return {};
-  if (metres < kFewestAgents * agent)
+  if (metres < kFewestAgents * agent) {
+    const std::string scale = shortNumber(plausibleScale(level, longest, kFewestAgents * agent, kLargest));
+    return {Text(FOOTFALL_TEXT("the whole level is no larger than %1 m, less than ten times an agent's height of %2 m; "
+                               "if its unit is larger, give the metres of a unit, perhaps %3"),
+                 metresText(metres), shortNumber(agent), scale),
+            ParameterMend{{}, numberOf(scale)}};
+  }
+  if (metres > kLargest) {
+    const std::string scale = shortNumber(plausibleScale(level, longest, 0, kLargest));
     return {
-        FOOTFALL_TEXT("the whole level is no larger than %1 m, less than ten times an agent's height of %2 m; if its "
-                      "unit is larger, give the metres of a unit, perhaps %3"),
-        shortNumber(metres), shortNumber(agent),
-        shortNumber(plausibleScale(level, longest, kFewestAgents * agent, kLargest))};
-  if (metres > kLargest)
-    return {FOOTFALL_TEXT("the level is %1 m large; if its unit is smaller, give the metres of a unit, perhaps %2"),
-            shortNumber(metres), shortNumber(plausibleScale(level, longest, 0, kLargest))};
+        Text(FOOTFALL_TEXT("the level is %1 m large; if its unit is smaller, give the metres of a unit, perhaps %2"),
+             metresText(metres), scale),
+        ParameterMend{{}, numberOf(scale)}};
+  }
   return {};
 }
 
-Text slopeText(const LevelMeasures& level, double steepest, double tolerance) {
+Advice slopeAdvice(const LevelMeasures& level, double steepest, double tolerance) {
   const double limit = steepest + tolerance;
   const auto isUpTo = [](double slope, const LevelMeasures::Ramp& ramp) { return slope < ramp.slope; };
   double area = 0, slope = 0;
@@ -109,20 +142,21 @@ Text slopeText(const LevelMeasures& level, double steepest, double tolerance) {
   }
   if (area == 0 || area < kMuch * level.upwardArea) return {};
   const double over = slope - steepest, unit = std::pow(10, std::floor(std::log10(over)));
-  const double more = std::ceil(over / unit + kSameSlope) * unit;
-  return {FOOTFALL_TEXT(
-              "%1 square metres of ramps are steeper than %2 degrees by less than %3 degrees, and are not walkable; "
-              "for a tolerance of %3 give SlopeFilter %2 %3"),
-          shortNumber(area * level.metresPerUnit * level.metresPerUnit), shortNumber(steepest), shortNumber(more)};
+  const std::string more = shortNumber(std::ceil(over / unit + kSameSlope) * unit);
+  return {Text(FOOTFALL_TEXT("%1 square metres of ramps are steeper than %2 degrees by less than %3 degrees, and are "
+                             "not walkable; for a tolerance of %3 give SlopeFilter %2 %3"),
+               shortNumber(area * level.metresPerUnit * level.metresPerUnit), shortNumber(steepest), more),
+          ParameterMend{1, numberOf(more)}};
 }
 
-Text heightText(const LevelMeasures& level, double height) {
+Advice heightAdvice(const LevelMeasures& level, double height) {
   double highest = 0;
   for (const Doorway& doorway : level.doorways) highest = std::max(highest, doorway.height);
   if (level.doorways.empty() || height <= highest) return {};
-  return {FOOTFALL_TEXT("agents are %1 high, and the highest doorway here is %2: nobody gets through one; give %2 or "
-                        "less"),
-          shortNumber(height), shortNumber(highest)};
+  return {Text(FOOTFALL_TEXT("agents are %1 high, and the highest doorway here is %2: nobody gets through one; give %2 "
+                             "or less"),
+               shortNumber(height), shortNumber(highest)),
+          std::nullopt};
 }
 
 Text radiusText(const LevelMeasures& level, double radius, double height) {
@@ -184,16 +218,20 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
 
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline) {
   std::vector<ParameterNote> notes;
+  const auto add = [&notes](std::size_t step, Advice advice) {
+    if (!advice.text.empty()) notes.push_back({step, std::move(advice.text), advice.mend});
+  };
   if (level.scaleGuessed) {
     if (const auto other = betterScale(level.size, level.metresPerUnit)) {
       const bool high = isTooHigh(level.size, level.metresPerUnit);
       const double metres = level.metresPerUnit * (high ? level.size.z : std::max(level.size.x, level.size.y));
-      notes.push_back(
-          {std::nullopt, Text(high ? FOOTFALL_TEXT("the scale is a guess that makes the level %1 m high; give "
-                                                   "the metres of a unit, perhaps %2")
-                                   : FOOTFALL_TEXT("the scale is a guess that makes the level %1 m long; give "
-                                                   "the metres of a unit, perhaps %2"),
-                              shortNumber(metres), shortNumber(*other))});
+      notes.push_back({std::nullopt,
+                       Text(high ? FOOTFALL_TEXT("the scale is a guess that makes the level %1 m high; give "
+                                                 "the metres of a unit, perhaps %2")
+                                 : FOOTFALL_TEXT("the scale is a guess that makes the level %1 m long; give "
+                                                 "the metres of a unit, perhaps %2"),
+                            shortNumber(metres), shortNumber(*other)),
+                       ParameterMend{{}, *other}});
     }
   }
   double clearance = std::numeric_limits<double>::infinity();
@@ -202,23 +240,22 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
     if (!step.enabled || step.values.empty()) continue;
     const double value = step.values[0];
     if (step.filter->type == FilterType::Slope) {
-      if (Text text = slopeText(level, value, step.values[1]); !text.empty()) notes.push_back({i, std::move(text)});
+      add(i, slopeAdvice(level, value, step.values[1]));
     } else if (step.filter->type == FilterType::VerticalClearance) {
       clearance = value;
       const bool isScaleKnown = notes.empty() || notes.front().step;  // else there is a note on the scale already
-      Text text = isScaleKnown ? sizeText(level, value) : Text();
-      if (text.empty()) text = heightText(level, value);
-      if (!text.empty()) notes.push_back({i, std::move(text)});
+      Advice advice = isScaleKnown ? sizeAdvice(level, value) : Advice();
+      add(i, advice.text.empty() ? heightAdvice(level, value) : std::move(advice));
     } else if (step.filter->type == FilterType::Radius) {
-      const double height = std::isfinite(clearance) ? clearance : 0;
-      if (Text text = radiusText(level, value, height); !text.empty()) notes.push_back({i, std::move(text)});
+      add(i, {radiusText(level, value, std::isfinite(clearance) ? clearance : 0), std::nullopt});
     } else if (step.filter->type == FilterType::Step) {
-      if (Text text = stepText(level, value, clearance); !text.empty()) notes.push_back({i, std::move(text)});
+      add(i, stepAdvice(level, value, clearance));
     } else if (step.filter->type == FilterType::Drop) {
       if (value > level.size.z && level.size.z > 0)
-        notes.push_back({i, Text(FOOTFALL_TEXT("drops are %1 deep at most, and the whole level is no higher than %2; "
-                                               "check the scale"),
-                                 shortNumber(value), shortNumber(level.size.z))});
+        add(i, {Text(FOOTFALL_TEXT("drops are %1 deep at most, and the whole level is no higher than %2; check the "
+                                   "scale"),
+                     shortNumber(value), shortNumber(level.size.z)),
+                std::nullopt});
     }
   }
   return notes;

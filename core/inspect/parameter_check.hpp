@@ -32,9 +32,16 @@ struct LevelMeasures {
 /// Measures an environment, rounded, in time proportional to its triangles.
 LevelMeasures measureLevel(const Environment& environment, const Poll& poll = {});
 
+/// The one change that does what a note advises.
+struct ParameterMend {
+  std::optional<std::size_t> value;  ///< place among the step's values; empty: the metres of the level's unit
+  double to = 0;
+};
+
 struct ParameterNote {
-  std::optional<std::size_t> step;  ///< step of the pipeline, from 0; empty: the note is about the scale
-  Text text;                        ///< the problem and the advice
+  std::optional<std::size_t> step;    ///< step of the pipeline, from 0; empty: the note is about the scale
+  Text text;                          ///< the problem and the advice
+  std::optional<ParameterMend> mend;  ///< empty where the advice is no single number
 };
 
 /// The notes on a pipeline's enabled steps:

@@ -14,8 +14,9 @@
 
 namespace footfall::ui {
 
-/// Measures each opened level in the background, and shows a hint where the filters do not suit it, then and after
-/// edits. Each hint appears once, and never replaces another message. ScaleQuestion handles a guessed scale.
+/// Measures each level that is opened in the background, and shows a hint where the filters do not suit it, then and
+/// after edits; each hint once, and none where another message stands. Where the advice is a number, a button of the
+/// hint sets it. A scale that is a guess is asked about elsewhere.
 class ParameterNotes : public QObject {
   Q_OBJECT
 
@@ -25,10 +26,14 @@ class ParameterNotes : public QObject {
  signals:
   /// Emitted when a level has been measured.
   void measured(const footfall::detail::LevelMeasures& measures);
+  /// The button of a hint about the level's size was clicked.
+  void scaleChosen(double metresPerUnit);
 
  private:
   void measure();
   void show();
+  void offer(const QString& text, const ParameterNote& note, const Pipeline& pipeline);
+  void setValue(int id, std::size_t value, double to);
 
   Document& document_;
   LevelFile& file_;

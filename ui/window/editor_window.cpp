@@ -210,6 +210,7 @@ void EditorWindow::createFeatures() {
   auto* notes = new ParameterNotes(document_, file_, *messages_, this);
   connect(notes, &ParameterNotes::measured, import_,
           [this](const LevelMeasures& measures) { import_->setEvidence(findScale(measures)); });
+  connect(notes, &ParameterNotes::scaleChosen, import_, &ImportPanel::chooseScale);
   packed_ = new PackedFeature(host, *statusBar(), *view_, file_);
   exports_ = new ResultExport({.window = *this,
                                .document = document_,

@@ -138,6 +138,25 @@ class TestParameterCheck : public QObject {
              QString("0: the level is 30000 m large; if its unit is smaller, give the metres of a unit, perhaps 100"));
   }
 
+  void notesHaveTheChangeThatMends() {
+    const auto mends = [](const Environment& level, const char* text) {
+      const Pipeline pipeline = parsePipeline(text, "test");
+      const std::vector<ParameterNote> notes = checkParameters(measureLevel(level), pipeline);
+      return notes.empty() ? std::optional<ParameterMend>() : notes.back().mend;
+    };
+    const auto steeper = ramp(1 + 1e-5);
+    const auto slope = mends(*steeper, "SlopeFilter 45 0\n");
+    QVERIFY(slope && slope->value == 1U);
+    QCOMPARE(slope->to, 0.0003);
+    const auto step = mends(*stairs(9, 0.25), "VerticalClearanceFilter 2\nStepFilter 0.245\n");
+    QVERIFY(step && step->value == 0U);
+    QCOMPARE(step->to, 0.26);
+    const auto scale = mends(*Soup().floor(0, 0, 5, 2, 0).environment(), "VerticalClearanceFilter 2\n");
+    QVERIFY(scale && !scale->value);
+    QCOMPARE(scale->to, 10.0);
+    QVERIFY(!mends(*rooms({{0.9, 2.1}}), "VerticalClearanceFilter 2.25\n"));
+  }
+
   void groundJustBeyondTheSlope() {
     const double tan45 = 1;
     QCOMPARE(notesOf(*ramp(tan45), "SlopeFilter 45 0\n"), QString());
