@@ -11,6 +11,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
+#include "core/inspect/scale_evidence.hpp"
 #include "core/inspect/upright.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
@@ -114,7 +115,11 @@ Advice sizeAdvice(const LevelMeasures& level, double height) {
   const double metres = level.metresPerUnit * longest, agent = level.metresPerUnit * height;
   if (!(longest > 0) || !std::isfinite(metres) || !std::isfinite(agent)) return {};
   if (metres < kFewestAgents * agent) {
-    const std::string scale = shortNumber(plausibleScale(level, longest, kFewestAgents * agent, kLargest));
+    // A house is small, and right, where its steps, doorways or storeys are of the size of people.
+    const std::optional<ScaleEvidence> evidence = findScale(level);
+    if (evidence && evidence->metresPerUnit == level.metresPerUnit) return {};
+    const std::string scale = shortNumber(evidence ? evidence->metresPerUnit
+                                                   : plausibleScale(level, longest, kFewestAgents * agent, kLargest));
     return {Text(FOOTFALL_TEXT("the whole level is no larger than %1 m, less than ten times an agent's height of %2 m; "
                                "if its unit is larger, give the metres of a unit, perhaps %3"),
                  metresText(metres), shortNumber(agent), scale),

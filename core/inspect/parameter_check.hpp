@@ -51,8 +51,8 @@ struct ParameterNote {
 /// - agents that are taller than the level is in any direction, or than each of its doorways;
 /// - much ground that is steeper than the maximum slope and its tolerance by less than a twentieth of a degree: a
 ///   hundredth of all that faces up;
-/// - a level whose longest side is less than ten times the agents' height, or more than 20 km, with a scale by which it
-///   would not be;
+/// - a level whose longest side is less than ten times the agents' height, unless findScale() finds that its steps,
+///   doorways or storeys are of the size of people, or more than 20 km, with a scale by which it would not be;
 /// - a radius that no doorway under which the agents fit is wide enough for, or not even the level;
 /// - and a guessed scale that makes the level larger than levels are, or smaller.
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline);

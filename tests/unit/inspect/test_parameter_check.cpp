@@ -138,6 +138,23 @@ class TestParameterCheck : public QObject {
              QString("0: the level is 30000 m large; if its unit is smaller, give the metres of a unit, perhaps 100"));
   }
 
+  // Small, but with storeys of people: stairs of 5 x 2 with walls 3 high, and the same in centimetres.
+  void smallLevelsForPeopleAreFine() {
+    const auto size = [](const Environment& level, const char* text) {
+      return allNotesOf(level, text).filter("the whole level is no larger than").join('\n');
+    };
+    const auto house = stairs(5, 0.175);
+    house->scaleGuessed = false;
+    QCOMPARE(size(*house, "VerticalClearanceFilter 2\n"), QString());
+    house->metresPerUnit = 0.01;  // a model of it: the level itself has the better scale
+    QCOMPARE(size(*house, "VerticalClearanceFilter 200\n"),
+             QString("0: the whole level is no larger than 0.05 m, less than ten times an agent's height of 2 m; if "
+                     "its unit is larger, give the metres of a unit, perhaps 1"));
+    // Nothing in it is of anybody's size.
+    const auto bare = Soup().floor(0, 0, 5, 2, 0).environment();
+    QVERIFY(!size(*bare, "VerticalClearanceFilter 2\n").isEmpty());
+  }
+
   void notesHaveTheChangeThatMends() {
     const auto mends = [](const Environment& level, const char* text) {
       const Pipeline pipeline = parsePipeline(text, "test");
