@@ -3,6 +3,7 @@
 
 in float number;
 flat in float light;
+flat in int veiled;  // what lies behind shows through
 
 uniform sampler2D scale;     // one row of colours
 uniform vec2 range;          // what the first and the last of them stand for
@@ -13,6 +14,8 @@ uniform float patternScale;  // device pixels a logical pixel
 out vec4 fragment;
 
 void main() {
+  // One pixel of four, in rows that are shifted: what lies behind stays readable, in any order of drawing.
+  if (veiled != 0 && (int(gl_FragCoord.x) + 2 * int(gl_FragCoord.y)) % 4 != 0) discard;
   vec3 colour = texture(scale, vec2(clamp((number - range.x) / (range.y - range.x), 0.002, 0.998), 0.5)).rgb;
   if ((number - limit.x) * limit.y > tolerance) {
     vec2 p = gl_FragCoord.xy / patternScale;

@@ -5,6 +5,7 @@
 flat in vec3 shade;
 flat in int pattern;  // ui/appearance.hpp: 0 plain, 1 rising stripes, 2 falling stripes, 3 dots, 4 grid,
                       // 5 level stripes, 6 upright stripes
+flat in int veiled;   // what lies behind shows through
 
 uniform float patternScale;  // device pixels a logical pixel
 uniform bool asBackground;   // what is there is not to be seen, nor what lies under it
@@ -15,6 +16,8 @@ uniform bool hatchBacks;     // so that a cut reads: what is seen from behind is
 out vec4 fragment;
 
 void main() {
+  // One pixel of four, in rows that are shifted: what lies behind stays readable, in any order of drawing.
+  if (veiled != 0 && (int(gl_FragCoord.x) + 2 * int(gl_FragCoord.y)) % 4 != 0) discard;
   if (asBackground) {
     fragment = vec4(mix(lower, upper, gl_FragCoord.y / viewHeight), 1.0);
     return;

@@ -21,13 +21,16 @@ uniform vec4 floorPaint;   // rgb and pattern for triangles with alpha 0
 uniform vec4 plainFloor;   // of hidden layers
 uniform int unseenLayers;  // what stays of hidden layers is left out (0), plain floor (1), or all that is drawn (2)
 uniform bool floorsOnly;   // of an environment
-uniform bool leaveCovers;
+uniform bool leaveCovers;   // walls are left out, and floors fade
 uniform vec4 onlyPaint;    // for everything, where `only` is set
 uniform bool only;
 uniform bool unlit;
 
 flat out vec3 shade;
 flat out int pattern;
+flat out int veiled;  // the floor fades
+
+const float kFloorNormal = 0.7;  // a cover that faces up by more may be walked on: it fades, and never goes
 
 // Layers beyond the texture, the number for none among them, are shown.
 bool isHidden(uint of) {
@@ -44,7 +47,9 @@ void main() {
   bool isOut = unseenLayers == 2 ? !(hidden && stays) : hidden && !(stays && unseenLayers == 1);
   int kind = int(normal.w * 127.0 + 0.5);
   bool covers = (kind & 64) != 0;
-  if (isOut || (floorsOnly && colour.a != 0.0) || (leaveCovers && covers)) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
+  veiled = leaveCovers && covers && normal.z > kFloorNormal ? 1 : 0;
+  bool leftOut = leaveCovers && covers && veiled == 0;
+  if (isOut || (floorsOnly && colour.a != 0.0) || leftOut) gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
   vec3 n = normal.xyz;
   vec3 toEye = orthographic ? -viewDirection : normalize(eye - position);
   float facing = dot(n, toEye);
