@@ -163,11 +163,14 @@ void LevelLook::addInside(CommandRegistry& commands) {
     }
     layout_.update();
   });
-  // The legend has grown with the first result.
+  // The legend grows by what the first result has to show. Other listeners change it after this one.
   connect(&file_, &LevelFile::opened, this, [this] { fresh_ = true; });
-  connect(&controller_, &RunController::finished, this, [this] {
-    if (std::exchange(fresh_, false)) view_.cameraController().refit();
-  });
+  connect(
+      &controller_, &RunController::finished, this,
+      [this] {
+        if (std::exchange(fresh_, false)) view_.cameraController().refit();
+      },
+      Qt::QueuedConnection);
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);
   connect(inside_, &QAction::toggled, hint_, &QWidget::hide);
