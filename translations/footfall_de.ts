@@ -3874,6 +3874,18 @@
         <source>rank</source>
         <translation>Rang</translation>
     </message>
+    <message>
+        <source>all, with the figures of that run</source>
+        <translation>alles, mit den Zahlen jenes Laufs</translation>
+    </message>
+    <message>
+        <source>%1 of %2 floors</source>
+        <translation>%1 von %2 Böden</translation>
+    </message>
+    <message>
+        <source>from the cache</source>
+        <translation>aus dem Cache</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::CellsFeature</name>
@@ -6188,6 +6200,17 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
     <message>
         <source>dotted: waiting for a serial step</source>
         <translation>gepunktet: Warten auf einen seriellen Schritt</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n from the cache</source>
+        <translation>
+            <numerusform>%n aus dem Cache</numerusform>
+            <numerusform>%n aus dem Cache</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>crossed out: from the cache</source>
+        <translation>gekreuzt: aus dem Cache</translation>
     </message>
 </context>
 <context>

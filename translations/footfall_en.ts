@@ -95,6 +95,13 @@
             <numerusform>, speed-up &lt;b&gt;%1&lt;/b&gt; on %n ranks</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n from the cache</source>
+        <translation>
+            <numerusform>%n from the cache</numerusform>
+            <numerusform>%n from the cache</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::MeasurePage</name>

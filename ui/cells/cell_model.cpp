@@ -31,9 +31,45 @@ const CellBlock* CellModel::shownBlock() const { return empty() ? nullptr : &blo
 
 void CellModel::setBlocks(CellBlocks blocks) {
   blocks_ = std::move(blocks);
+  reuse_.clear();
   preview_.reset();
   shown_ = blocks_.empty() ? 0 : std::min(shown_, blocks_.size() - 1);
   changed();
+}
+
+void CellModel::setReuse(std::vector<std::vector<CellReuse>> reuse) {
+  reuse_ = std::move(reuse);
+  if (!preview_) emit figuresChanged();
+}
+
+const CellReuse* CellModel::reuseOf(const CellId& cell) const {
+  const bool known = !preview_ && cell.block < blocks_.size() && cell.block < reuse_.size() &&
+                     blocks_[cell.block].origin == CellBlock::Origin::Run &&
+                     reuse_[cell.block].size() == blocks_[cell.block].report.cells.size();
+  return known && cell.cell < reuse_[cell.block].size() ? &reuse_[cell.block][cell.cell] : nullptr;
+}
+
+bool CellModel::isCached(const CellId& cell) const {
+  if (preview_ || cell.block >= blocks_.size()) return false;
+  const CellReuse* reuse = reuseOf(cell);
+  return blocks_[cell.block].origin == CellBlock::Origin::Cache || (reuse != nullptr && reuse->all());
+}
+
+int CellModel::cachedCells() const {
+  int cached = 0;
+  const std::size_t block = shownIndex();
+  for (std::size_t i = 0; !preview_ && block < blocks_.size() && i < blocks_[block].report.cells.size(); ++i)
+    cached += isCached({block, i}) ? 1 : 0;
+  return cached;
+}
+
+// The part of a cell that earlier runs have computed; empty for none.
+QString CellModel::cacheText(const CellId& cell) const {
+  if (!preview_ && blocks_[cell.block].origin == CellBlock::Origin::Cache)
+    return tr("all, with the figures of that run");
+  const CellReuse* reuse = reuseOf(cell);
+  if (reuse == nullptr || reuse->reused == 0) return {};
+  return tr("%1 of %2 floors").arg(countText(reuse->reused), countText(reuse->floors));
 }
 
 void CellModel::showPreview(const Partition& partition) {
@@ -137,6 +173,7 @@ QString CellModel::describe(CellId id) const {
   if (block.finished[id.cell]) {
     row(tr("triangles"), tr("%1 in, %2 out").arg(countText(cell.trianglesIn), countText(cell.trianglesOut)));
     row(tr("time"), durationText(cell.workMs()));
+    if (const QString cache = cacheText(id); !cache.isEmpty()) row(tr("from the cache"), cache);
     QMap<int, double> threads;
     std::vector<std::pair<QString, double>> filters;
     for (const CellSpan& span : cell.spans) {

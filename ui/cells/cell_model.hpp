@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/partitioning/partition.hpp"
+#include "core/pipeline/cell_reuse.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/run_threads.hpp"
@@ -31,7 +32,14 @@ class CellModel : public QObject {
 
   /// Shows the blocks of the present or the last run. Figures that arrive during a run keep hover and selection.
   void setBlocks(CellBlocks blocks);
-  /// Shows a preview until endPreview() or other blocks.
+  /// The floors of the cells of those blocks that the run took from the cache; empty for blocks of which that is not
+  /// known, as for all after setBlocks().
+  void setReuse(std::vector<std::vector<CellReuse>> reuse);
+  /// All of the cell's floors came from the cache; never in a preview.
+  [[nodiscard]] bool isCached(const CellId& cell) const;
+  /// The number of such cells in the shown block.
+  [[nodiscard]] int cachedCells() const;
+  /// Shown until endPreview() or other blocks.
   void showPreview(const Partition& partition);
   void endPreview();
 
@@ -77,7 +85,11 @@ class CellModel : public QObject {
   void describePlace(const CellBounds& bounds, const std::function<void(const QString&, const QString&)>& row) const;
   [[nodiscard]] bool contains(const std::optional<CellId>& cell) const;
 
+  [[nodiscard]] const CellReuse* reuseOf(const CellId& cell) const;
+  [[nodiscard]] QString cacheText(const CellId& cell) const;
+
   CellBlocks blocks_;
+  std::vector<std::vector<CellReuse>> reuse_;
   std::optional<CellBlocks> preview_;
   std::size_t shown_ = 0;
   Shapes shapes_;

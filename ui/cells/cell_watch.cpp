@@ -34,7 +34,12 @@ CellWatch::CellWatch(Document& document, RunController& controller, LevelView& v
     preview_.cancel();
     model_.setBlocks(blocks);
   });
-  connect(&controller_, &RunController::finished, this, [this] { editTimer_.stop(); });
+  connect(&controller_, &RunController::finished, this, [this] {
+    editTimer_.stop();
+    const auto run = controller_.finishedRun();
+    const auto cache = controller_.cache();
+    if (run && cache) model_.setReuse(cellReuse(run->environment, run->pipeline, *cache));
+  });
   connect(&preview_, &CellPreview::ready, &model_, &CellModel::showPreview);
   connect(&preview_, &CellPreview::failed, this, &CellWatch::previewFailed);
   connect(&model_, &CellModel::shapesChanged, this, &CellWatch::drape);

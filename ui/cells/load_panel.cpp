@@ -248,6 +248,8 @@ void LoadPanel::refresh() {
   if (block->origin == CellBlock::Origin::Cache)
     text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("from the cache: figures of the run that computed it") +
             QStringLiteral("</b>");
+  else if (const int cached = model_.cachedCells(); cached > 0)
+    text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("%n from the cache", nullptr, cached) + QStringLiteral("</b>");
   if (block->origin == CellBlock::Origin::Measured)
     text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("measured: the median run") + QStringLiteral("</b>");
   if (!block->report.reason.empty())
@@ -331,6 +333,7 @@ void LoadPanel::showFilters() {
     parts << swatch(filterColour(i)) + filterName(names[i]).toHtmlEscaped();
   if (!names.empty()) {
     parts << tr("hatched: waiting for work") << tr("dotted: waiting for a serial step");
+    if (model_.cachedCells() > 0) parts << tr("crossed out: from the cache");
     filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
   } else {
     filters_->setText(timeline_->timeline().planned

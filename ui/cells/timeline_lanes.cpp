@@ -212,6 +212,12 @@ void TimelineLanes::drawBar(QCPPainter* painter, const Timeline::Bar& bar) const
       painter->drawText(box, Qt::AlignCenter, name);
     }
   }
+  if (bar.cell && model_.isCached(*bar.cell)) {
+    QColor cross = textOn(colour);
+    cross.setAlphaF(0.45F);
+    painter->fillRect(QRectF(whole.topLeft(), QSizeF(whole.width(), kSplit * whole.height())),
+                      QBrush(cross, Qt::DiagCrossPattern));
+  }
   if (bar.cell && whole.width() >= kText) {
     const QRectF head = place(bar.lane, bar.start, bar.end, 0, kSplit);
     painter->setPen(textOn(colour));

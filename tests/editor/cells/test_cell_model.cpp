@@ -236,6 +236,29 @@ class TestCellModel : public QObject {
     model.setBlocks({BlockBuilder(4).block()});
     QVERIFY(model.describe({0, 3}).contains("not finished"));
   }
+
+  // An edit leaves most cells as they were; a block may come from the cache as a whole.
+  void cellsSayWhatCameFromTheCache() {
+    CellBlock block = fourCells();
+    CellModel model;
+    model.setBlocks({block});
+    model.setReuse({{{10, 10}, {20, 5}, {8, 0}, {0, 0}}});
+    QVERIFY(model.describe({0, 0}).contains("10 of 10 floors"));
+    QVERIFY(model.describe({0, 1}).contains("5 of 20 floors"));
+    for (const std::size_t cell : {2, 3}) QVERIFY(!model.describe({0, cell}).contains("from the cache"));
+    for (const std::size_t cell : {0, 1, 2, 3}) QCOMPARE(model.isCached({0, cell}), cell == 0);
+    QCOMPARE(model.cachedCells(), 1);
+    model.setReuse({{{10, 10}}});  // of other cells
+    QCOMPARE(model.cachedCells(), 0);
+    block.origin = CellBlock::Origin::Measured;
+    model.setBlocks({block});
+    model.setReuse({{{1, 1}, {1, 1}, {1, 1}, {1, 1}}});  // a measurement takes nothing from caches
+    QCOMPARE(model.cachedCells(), 0);
+    block.origin = CellBlock::Origin::Cache;
+    model.setBlocks({block});
+    QCOMPARE(model.cachedCells(), 4);
+    QVERIFY(model.describe({0, 3}).contains("with the figures of that run"));
+  }
 };
 
 FOOTFALL_EDITOR_SUITE(TestCellModel)

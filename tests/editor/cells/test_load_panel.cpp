@@ -184,6 +184,17 @@ class TestLoadPanel : public QObject {
     QVERIFY(plot.xAxis->range().upper >= 90);  // all of it is in sight
   }
 
+  void itSaysHowManyCellsCameFromTheCache() {
+    model_->setBlocks({fourCells()});
+    QVERIFY(!panel_->strategyText().contains("from the cache"));
+    const QImage plain = shownTimeline().grab().toImage();
+    model_->setReuse({{{10, 10}, {20, 5}, {8, 8}, {3, 0}}});
+    QVERIFY2(panel_->strategyText().contains("2 from the cache"), qPrintable(panel_->strategyText()));
+    QVERIFY(shownTimeline().grab().toImage() != plain);  // their bars are crossed out
+    model_->setBlocks({fourCells()});
+    QVERIFY(!panel_->strategyText().contains("from the cache"));
+  }
+
   void theReasonOfAStrategyIsShownAndIsNoMarkup() {
     model_->setBlocks({BlockBuilder(2, "GridStrategy 2 1").reason("2 threads <b>& more</b>").block()});
     QVERIFY(panel_->strategyText().contains("Grid strategy 2 1"));
