@@ -8,7 +8,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kLoadHeight = 250;
+constexpr int kLoadHeight = 290;
 
 }  // namespace
 

@@ -147,6 +147,7 @@ QWidget* LoadPanel::makeContentPage() {
   timeline_->setMinimumWidth(kTimelineWidth);
   filters_ = new QLabel(page);
   filters_->setTextFormat(Qt::RichText);
+  filters_->setWordWrap(true);
   filters_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* left = new QWidget(page);
   auto* leftLayout = new QVBoxLayout(left);
@@ -190,6 +191,7 @@ QWidget* LoadPanel::makeFigures() {
     return text;
   };
   figures_ = label();
+  figures_->setWordWrap(true);
   busy_ = new BusyPlot(this);
   busy_->setMinimumWidth(kPlotWidth);  // a part of the width: the texts may need more
   use_ = new PhasePlot(this);
@@ -199,6 +201,7 @@ QWidget* LoadPanel::makeFigures() {
   page(tr("Threads"), {figures_, busy_, use_, useTexts_}, busy_);
   histogram_ = new HistogramPlot(this);
   histogramText_ = label();
+  histogramText_->setWordWrap(true);
   page(tr("Cells"), {histogram_, histogramText_}, histogram_);
   phases_ = new PhasePlot(this);
   phaseTexts_ = label();

@@ -21,10 +21,11 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kMark = 16;          // size in pixels of the mark of a state
-constexpr int kFieldLetters = 15;  // width of a field
-constexpr int kUnitLetters = 9;    // width of the unit behind it, so that fields are aligned
-constexpr int kGroupLetters = 8;   // least width of a field in a group
+constexpr int kMark = 16;          // pixels of the sign of a state
+constexpr int kFieldLetters = 15;  // of the width of a field
+constexpr int kUnitLetters = 9;    // and of the unit behind it, so that fields stand in a column
+constexpr int kGroupLetters = 8;   // of the width of a field of a group, at least
+constexpr int kNameLetters = 12;   // of a word in a name that is not broken
 constexpr std::size_t kMostGroups = 24;
 
 std::size_t fieldsFor(const FilterDescriptor& filter, std::size_t values) {
@@ -62,6 +63,24 @@ QString helpOf(const ParameterDescriptor& parameter, bool hasDefault) {
                                                    : QString()),
            drag);
 }
+
+/// A wrapped label that takes one line where there is room for it, and breaks long words only.
+class NameLabel : public WrappedLabel {
+ public:
+  using WrappedLabel::WrappedLabel;
+
+  [[nodiscard]] QSize sizeHint() const override { return {widthOf(text()), fontMetrics().height()}; }
+  [[nodiscard]] QSize minimumSizeHint() const override {
+    int width = 0;
+    for (const QString& word : text().split(QLatin1Char(' '))) width = std::max(width, widthOf(word));
+    return {std::min(width, kNameLetters * fontMetrics().averageCharWidth()), fontMetrics().height()};
+  }
+
+ private:
+  [[nodiscard]] int widthOf(const QString& words) const {
+    return fontMetrics().horizontalAdvance(words) + 1 + contentsMargins().left() + contentsMargins().right();
+  }
+};
 
 QString statusFigures(const StepStatus& status) {
   QStringList parts;
@@ -131,11 +150,13 @@ void FilterRow::addHead(QVBoxLayout* layout) {
   enabled_ = new QCheckBox(this);
   enabled_->setToolTip(tr("Switch this filter off and on (Space)"));
   enabled_->setAccessibleName(label);
-  name_ = new ElidedLabel(label, this);
+  name_ = new NameLabel(this);
+  name_->setText(label);
   name_->setObjectName(QStringLiteral("filterName"));
   name_->setToolTip(helpOf(filter_));
   summary_ = new ElidedLabel(this);
   summary_->setObjectName(QStringLiteral("filterSummary"));
+  summary_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);  // what the name leaves
   time_ = new QLabel(this);
   time_->setObjectName(QStringLiteral("filterSummary"));
   stateIcon_ = new QLabel(this);
@@ -146,7 +167,7 @@ void FilterRow::addHead(QVBoxLayout* layout) {
   remove_->setToolTip(tr("Remove this filter"));
   remove_->setAccessibleName(tr("Remove %1").arg(label));
   auto* head = new QHBoxLayout;
-  head->setSpacing(6);
+  head->setSpacing(4);
   head->addWidget(handle_);
   head->addWidget(enabled_);
   head->addWidget(name_);
@@ -303,7 +324,8 @@ void FilterRow::showSummary() {
     const ParameterDescriptor& parameter = filter_.parameters[i];
     if (parameter.type == ParameterType::Boolean) continue;
     QString text = valueText(parameter, values_[i], shown_);
-    if (parameter.unit == Unit::Length || parameter.unit == Unit::Area)
+    const bool hasUnit = parameter.unit == Unit::Length || parameter.unit == Unit::Area;
+    if (hasUnit && shown_.unit() != LengthUnit::FileUnits)  // "units" would say nothing
       text += QStringLiteral(" ") + unitText(parameter.unit, shown_);
     parts << text;
   }
@@ -338,7 +360,9 @@ void FilterRow::showParts() {
   show(groups_, open);
   show(figures_, open && !figures_->text().isEmpty() && status_.state != StepState::Off);
   show(summary_, !open);
-  name_->setSizePolicy(open ? QSizePolicy::Expanding : QSizePolicy::Preferred, QSizePolicy::Preferred);
+  QSizePolicy policy = name_->sizePolicy();  // with its height for a width
+  policy.setHorizontalPolicy(open ? QSizePolicy::Expanding : QSizePolicy::Preferred);
+  name_->setSizePolicy(policy);
   show(time_, !open && usual && !time_->text().isEmpty());
   show(state_, open || !usual);
   show(error_, !error_->text().isEmpty());

@@ -21,6 +21,17 @@ QColor trough(const QPalette& palette) {
   return colour;
 }
 
+// The filters that take most, as many as fit: the tool tip lists all.
+QString shownText(const QString& text, const QFontMetrics& metrics, int width) {
+  QStringList parts = text.split(QLatin1String(", "));
+  const QString more = QStringLiteral("…");
+  while (parts.size() > 1 && metrics.horizontalAdvance(parts.join(QLatin1String(", "))) > width) {
+    if (parts.last() == more) parts.removeLast();
+    if (parts.size() > 1) parts.last() = more;
+  }
+  return metrics.elidedText(parts.join(QLatin1String(", ")), Qt::ElideRight, width);
+}
+
 }  // namespace
 
 QColor timeColour(std::size_t index) { return layerPaint(static_cast<std::uint32_t>(index)).colour; }
@@ -85,7 +96,7 @@ void TimeStrip::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   const QRect words(0, 0, width(), fontMetrics().height());
   painter.setPen(palette().color(QPalette::WindowText));
-  painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, fontMetrics().elidedText(text_, Qt::ElideRight, width()));
+  painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, shownText(text_, fontMetrics(), width()));
   const QRect bar = barRect();
   painter.fillRect(bar, trough(palette()));
   double x = 0;

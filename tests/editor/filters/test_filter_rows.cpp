@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
+#include <QDockWidget>
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/base/message_bar.hpp"
@@ -76,7 +77,21 @@ class TestFilterRows : public QObject {
     QTRY_VERIFY(row(2)->height() < open);
   }
 
-  // Rows can be dragged by more than the dots. A press on several selected rows drags all of them.
+  // Long names, as languages other than English have them, are not shortened: they take more lines.
+  void namesWrapAndNeverLoseLetters() {
+    window_->resize(700, 600);
+    QDockWidget* dock = window_->findChild<QDockWidget*>("filterDock");
+    QVERIFY(dock);
+    window_->resizeDocks({dock}, {1}, Qt::Horizontal);
+    QTest::qWait(50);
+    QLabel* name = row(2)->nameLabel();
+    for (const QString text : {"Durchgangshöhe", "Aufteilung in Ebenen", "Sortiert rekursiv aufgeteilte Umgebung"}) {
+      name->setText(text);
+      QTRY_VERIFY2(name->height() >= name->heightForWidth(name->width()), qPrintable(text));
+    }
+  }
+
+  // Not only by the dots. A press into several selected rows takes them all along.
   void rowsAreDraggedByTheirHeader() {
     QWidget* name = row(1)->nameLabel();
     const QPoint below = name->mapFromGlobal(row(3)->mapToGlobal(QPoint(30, row(3)->height() - 2)));
