@@ -118,7 +118,8 @@ Advice sizeAdvice(const LevelMeasures& level, double height) {
     // A house is small, and right, where its steps, doorways or storeys are of the size of people.
     const std::optional<ScaleEvidence> evidence = findScale(level);
     if (evidence && evidence->metresPerUnit == level.metresPerUnit) return {};
-    const std::string scale = shortNumber(evidence ? evidence->metresPerUnit
+    const bool isLarger = evidence && evidence->metresPerUnit > level.metresPerUnit;
+    const std::string scale = shortNumber(isLarger ? evidence->metresPerUnit
                                                    : plausibleScale(level, longest, kFewestAgents * agent, kLargest));
     return {Text(FOOTFALL_TEXT("the whole level is no larger than %1 m, less than ten times an agent's height of %2 m; "
                                "if its unit is larger, give the metres of a unit, perhaps %3"),

@@ -132,7 +132,7 @@ class TestParameterCheck : public QObject {
     level->metresPerUnit = 0.01;
     QCOMPARE(notes("VerticalClearanceFilter 200\n"),
              QString("0: the whole level is no larger than 0.3 m, less than ten times an agent's height of 2 m; if its "
-                     "unit is larger, give the metres of a unit, perhaps 1"));
+                     "unit is larger, give the metres of a unit, perhaps 0.3048"));  // the wall is a storey in feet
     level->metresPerUnit = 1000;
     QCOMPARE(notes("VerticalClearanceFilter 0.002\n"),
              QString("0: the level is 30000 m large; if its unit is smaller, give the metres of a unit, perhaps 100"));
