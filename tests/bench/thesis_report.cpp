@@ -38,7 +38,7 @@ class ThesisReport {
   std::string format() {
     std::string text = "Footfall " + results_["program"]["version"].get<std::string>() + " on " + processors() +
                        ". Times are in ms: medians of at least " + std::to_string(results_["runs"].get<int>()) +
-                       " runs after one warm-up.\n\n" + failures();
+                       " runs after one warm-up." + otherWork() + "\n\n" + failures();
     if (has("due")) text += "### What is due\n\n" + due();
     if (has("strategies")) text += "### By strategy and depth, " + tableThreads() + " (thesis, 5.4)\n\n" + strategies();
     if (has("printed"))
@@ -52,6 +52,14 @@ class ThesisReport {
   [[nodiscard]] std::string processors() const {
     const int count = results_["processors"];
     return "a machine with " + std::to_string(count) + (count == 1 ? " processor" : " processors");
+  }
+  // The load of the last minute before the measurement.
+  [[nodiscard]] std::string otherWork() const {
+    constexpr double kIdle = 0.5;
+    const Json& load = results_["machine"]["load"];
+    if (load.is_null() || load.get<double>() <= kIdle) return "";
+    return " **Other work ran on this machine** (a load of " + number(load) +
+           " at the start): times are too long, and two threads gain less than they do alone.";
   }
   [[nodiscard]] std::string tableThreads() const { return threadText(results_["table_threads"]); }
   [[nodiscard]] bool has(const char* experiment) const {
