@@ -1,6 +1,7 @@
 // footfall-exchange-bench ENV...: the environment behind a clearance filter in two formats of the thesis (5.3) and in
 // ours: time to write and to read, size and speed, as Markdown. In memory, so that no disk is measured; the least of
-// five. SPDX-License-Identifier: GPL-3.0-or-later
+// five.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cstdio>
 #include <exception>
