@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "app/agents_run.hpp"
 #include "app/command_list.hpp"
 #include "app/command_session.hpp"
 #include "app/export_options.hpp"
@@ -34,6 +35,7 @@ struct RunOptions {
   std::uint64_t memory = 0;  ///< bytes that may be held at once; 0: as many as it takes
   std::string slice;         ///< "K/N", or empty
   std::string statistics, trace, report;
+  std::string agents;  ///< names or a file; empty: the pipeline's agent
   bool speedUp = false;
   bool quiet = false;
 };
@@ -123,14 +125,32 @@ void runAs(RunProgram& program, RunOptions& options, bool isWithin) {
   program.setContext(&session.context());
   const auto forget = [](RunProgram* running) { running->setContext(nullptr); };
   const std::unique_ptr<RunProgram, decltype(forget)> forgotten(&program, forget);
-  if (isWithin)
+  if (!options.agents.empty())
+    print(
+        runAgents({options.environment, options.agents, options.exported, options.statistics, options.quiet}, session));
+  else if (isWithin)
     runWithin(options, program, session);
   else
     print(runAndExport(options, session, program));
   program.end();
 }
 
-/// Tiles are not an export: export options apply when the tiles are joined.
+/// The other options that say what runs, or show one run, mean nothing with several.
+void addAgents(CLI::App& command, RunOptions& options) {
+  CLI::Option* agents =
+      command
+          .add_option(
+              "--agents", options.agents,
+              "Write a result for each of several agents, OUT-NAME: names of known agents, separated by commas "
+              "(Human, Wheelchair, ...), or a JSON file that lists agents, such as a session of the editor. What "
+              "they have in common is computed once; --stats says what each added")
+          ->check(hasName())
+          ->type_name("FILE|NAME,...");
+  for (const char* name : {"--pipeline", "--filter", "--trace", "--report", "--speed-up", "--memory"})
+    agents->excludes(command.get_option(name));
+}
+
+/// Tiles are no export: what is said of one is said when they are joined.
 CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
   CLI::Option* memory =
       command
@@ -179,6 +199,7 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
                    "report the speed-up");
   command.add_flag("--quiet", options->quiet, "No progress bar, no notes and no summary");
   const CLI::Option* memory = addMemory(command, *options);
+  if (!program.isForOnePipeline()) addAgents(command, *options);
   program.addOptions(command);
   command.callback([options, &program, memory] { runAs(program, *options, memory->count() > 0); });
 }

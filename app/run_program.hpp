@@ -27,6 +27,8 @@ class RunProgram {
   [[nodiscard]] virtual bool showsProgress() const { return false; }
   /// Sets the context of the run that follows; null: it is over.
   virtual void setContext(RunContext* /*context*/) {}
+  /// True when it runs one pipeline only.
+  [[nodiscard]] virtual bool isForOnePipeline() const { return false; }
   /// False when another process prints and writes the results.
   [[nodiscard]] virtual bool writes() const { return true; }
   /// The processes that share a run within a bound of memory; null: there are no others.

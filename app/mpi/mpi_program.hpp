@@ -26,6 +26,7 @@ class MpiProgram : public RunProgram {
   void runCells(const std::string& job, int threads);
   [[nodiscard]] bool showsProgress() const override { return showsProgress_; }
   void setContext(RunContext* context) override;
+  [[nodiscard]] bool isForOnePipeline() const override { return true; }
   [[nodiscard]] bool writes() const override { return transport_->rank() == 0; }
   [[nodiscard]] detail::RankGroup* group() override { return exchange_.get(); }
   void dropAtEnd(std::shared_ptr<void> thing) override { dropped_.push_back(std::move(thing)); }
