@@ -1,8 +1,9 @@
 // Rows of the filter list: what they show of the run that is shown, how they open, are dragged, added and mended.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDockWidget>
+
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include <QDockWidget>
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/base/message_bar.hpp"
