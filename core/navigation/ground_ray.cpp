@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -177,18 +178,30 @@ class RayWalk {
   bool isReached_ = false;
 };
 
-bool isFinite(const Vec3& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }
+void checkFinite(std::initializer_list<Vec3> places) {
+  for (const Vec3& p : places)
+    if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+      throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
+}
 
 }  // namespace
 
 std::optional<GroundRay> castRay(const PathFinder& finder, const Vec3& from, const Vec3& to, double reach,
                                  const RunContext* context) {
-  if (!isFinite(from) || !isFinite(to))
-    throw InputError(FOOTFALL_TEXT("the place has a coordinate that is not finite; give three numbers"));
+  checkFinite({from, to});
   const PathGround& ground = *finder.inside();
   const std::optional<SurfacePlace> start = ground.places.locate(from, reach);
   if (!start) return std::nullopt;
   return RayWalk(ground, start->position, to).walk(*start, Poll(context));
+}
+
+GroundRay castRayFrom(const PathFinder& finder, const SurfacePlace& start, const Vec3& to, const RunContext* context) {
+  checkFinite({start.position, to});
+  const PathGround& ground = *finder.inside();
+  if (start.triangle >= ground.mesh->triangles.size())
+    throw InputError(FOOTFALL_TEXT("there is no triangle %1; the mesh has %2"), start.triangle,
+                     ground.mesh->triangles.size());
+  return RayWalk(ground, start.position, to).walk(start, Poll(context));
 }
 
 }  // namespace footfall

@@ -56,6 +56,12 @@ std::optional<GroundRay> castRay(const PathFinder& finder, const Vec3& from, con
                                  double reach = std::numeric_limits<double>::infinity(),
                                  const RunContext* context = nullptr);
 
+/// The same from a place that is known, such as the end of another ray: it starts in the triangle of `start`, whatever
+/// else lies there, so that rays in a row never pass a wall without thickness. Throws InputError for a coordinate that
+/// is not finite, or a triangle that the mesh does not have, and Cancelled.
+GroundRay castRayFrom(const PathFinder& finder, const SurfacePlace& start, const Vec3& to,
+                      const RunContext* context = nullptr);
+
 /// PathFinder::find() for each pair of a start and a target, in their order, on all threads. Throws InputError for a
 /// coordinate that is not finite, and Cancelled.
 std::vector<PathResult> findPaths(const PathFinder& finder, std::span<const std::array<Vec3, 2>> pairs,

@@ -116,6 +116,25 @@ class TestGround : public QObject {
     }
   }
 
+  void raysInARowStayOnTheirSide() {
+    const PathFinder finder(walkable(Soup().floor(0, 0, 8, 4, 0).wall(4, 0, 4, 3, 0, 1)));
+    for (const double x : {1.0, 7.0}) {
+      // The place on the wall is on both sides of it; which one locate() gives has no meaning here.
+      GroundRay ray = castRayFrom(finder, *finder.locate({x, 1, 0}), {8 - x, 1, 0});
+      for (int i = 0; i < 3; ++i) {
+        QVERIFY(!ray.reached && ray.border);
+        QCOMPARE(ray.end.position, (Vec3{4, 1, 0}));
+        ray = castRayFrom(finder, ray.end, {8 - x, 1, 0});
+        QCOMPARE(ray.planLength, 0.0);
+      }
+      QVERIFY(castRayFrom(finder, ray.end, {x, 1, 0}).reached);
+    }
+    SurfacePlace wrong = *finder.locate({1, 1, 0});
+    QVERIFY_THROWS_EXCEPTION(InputError, castRayFrom(finder, wrong, {NAN, 1, 0}));
+    wrong.triangle = static_cast<std::uint32_t>(finder.mesh().triangles.size());
+    QVERIFY_THROWS_EXCEPTION(InputError, castRayFrom(finder, wrong, {1, 1, 0}));
+  }
+
   void raysDoNotPassThroughPoints() {
     const PathFinder finder(walkable(Soup().floor(0, 0, 2, 2, 0).floor(2, 2, 4, 4, 0)));
     const auto ray = castRay(finder, {1, 1, 0}, {3, 3, 0});
