@@ -7220,10 +7220,6 @@ Material: %2</translation>
         <translation>Ausprobieren: Klicken Sie, wohin der Weg führt. Rücktaste nimmt den Start zurück, Esc beendet.</translation>
     </message>
     <message>
-        <source>Try it: drag an end, or click to begin another path. Esc ends.</source>
-        <translation>Ausprobieren: Ziehen Sie ein Ende, oder klicken Sie für einen neuen Weg. Esc beendet.</translation>
-    </message>
-    <message>
         <source>Start</source>
         <translation>Start</translation>
     </message>
@@ -7242,6 +7238,10 @@ Material: %2</translation>
     <message>
         <source>The way ends here</source>
         <translation>Hier endet der Weg</translation>
+    </message>
+    <message>
+        <source>Try it: drag an end, click to begin another path, Space walks it. Esc ends.</source>
+        <translation>Ausprobieren: Ziehen Sie ein Ende, klicken Sie für einen anderen Weg, die Leertaste geht ihn. Esc beendet.</translation>
     </message>
 </context>
 <context>
@@ -8504,6 +8504,103 @@ Material: %2</translation>
     <message>
         <source>view: memory ran out; choose another view mode or a smaller environment</source>
         <translation>Ansicht: Der Speicher reicht nicht; wählen Sie eine andere Ansichtsart oder eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::WalkBar</name>
+    <message>
+        <source>Time on the way</source>
+        <translation>Zeit auf dem Weg</translation>
+    </message>
+    <message>
+        <source>Where the walker is on the path</source>
+        <translation>Wo auf dem Weg die Figur ist</translation>
+    </message>
+    <message>
+        <source>Pace of the playback</source>
+        <translation>Tempo der Wiedergabe</translation>
+    </message>
+    <message>
+        <source>How fast the walk is played</source>
+        <translation>Wie schnell der Gang abgespielt wird</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Camera of the walker</source>
+        <translation>Kamera der Figur</translation>
+    </message>
+    <message>
+        <source>Where the camera is while the walker goes</source>
+        <translation>Wo die Kamera ist, während die Figur geht</translation>
+    </message>
+    <message>
+        <source>Camera stays</source>
+        <translation>Kamera bleibt</translation>
+    </message>
+    <message>
+        <source>Camera follows</source>
+        <translation>Kamera folgt</translation>
+    </message>
+    <message>
+        <source>Through its eyes</source>
+        <translation>Durch ihre Augen</translation>
+    </message>
+    <message>
+        <source>Pause (Space in the view)</source>
+        <translation>Anhalten (Leertaste in der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Walk the path (Space in the view)</source>
+        <translation>Den Weg gehen (Leertaste in der Ansicht)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Walk the path</source>
+        <translation>Den Weg gehen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 s</source>
+        <translation>%1 von %2 s</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::WalkFeature</name>
+    <message>
+        <source>&amp;Walk</source>
+        <translation>&amp;Gehen</translation>
+    </message>
+    <message>
+        <source>Walk over the result in first person, as tall as the agent</source>
+        <translation>Über das Ergebnis gehen, mit den Augen des Agenten</translation>
+    </message>
+    <message>
+        <source>Walk the pa&amp;th</source>
+        <translation>Den We&amp;g gehen</translation>
+    </message>
+    <message>
+        <source>Let somebody of the agent&apos;s size walk the path of Try it</source>
+        <translation>Eine Figur von der Größe des Agenten geht den Weg, der ausprobiert wird</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::WalkTool</name>
+    <message>
+        <source>Walk: nothing is walkable here. Esc ends.</source>
+        <translation>Gehen: Hier ist nichts begehbar. Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Walk: W A S D or the arrows walk, the mouse looks, Shift is faster, Esc leaves.</source>
+        <translation>Gehen: W A S D oder die Pfeile gehen, die Maus sieht sich um, Umschalt schneller, Esc beendet.</translation>
+    </message>
+    <message>
+        <source>Walk: click where to stand, or press Enter for the middle of the view. Esc ends.</source>
+        <translation>Gehen: Klicken Sie, wo Sie stehen wollen, oder Eingabe für die Mitte der Ansicht. Esc beendet.</translation>
     </message>
 </context>
 <context>

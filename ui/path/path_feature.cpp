@@ -18,6 +18,14 @@ using Json = nlohmann::json;
 
 constexpr double kShownAroundLinks = 1.5;  // metres shown around the barrier between two parts
 
+/// The largest distance that an enabled RadiusFilter keeps off borders; 0 without one.
+double radiusOf(const Pipeline& pipeline) {
+  double radius = 0;
+  for (const PipelineStep& step : pipeline.steps)
+    if (step.enabled && step.filter->type == FilterType::Radius) radius = std::max(radius, step.values[0]);
+  return radius;
+}
+
 Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
 
 std::optional<Vec3> toPlace(const Json& json) {
@@ -38,8 +46,10 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
       controller_(controller),
       tool_(model_, view, nullptr),
       panel_(new PathPanel(model_)),
-      separation_(new SeparationView(model_, view, panel_)) {
+      separation_(new SeparationView(model_, view, panel_)),
+      walk_(new WalkFeature(host, view, model_, this)) {
   panel_->addBelowFailure(separation_);
+  panel_->addBelowText(walk_->bar());
   separation_->setMends(
       [&document](const Separation& separation) { return mendOf(separation, document.filters(), document.units()); });
   connect(separation_, &SeparationView::mendRequested, this,
@@ -85,6 +95,9 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
   connect(&model_, &PathModel::placesChanged, &host.sections, &SessionSections::changed);
   connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
   connect(panel_, &PathPanel::speedEdited, &host.sections, &SessionSections::changed);
+  connect(panel_, &PathPanel::speedEdited, this, [this] { walk_->setSpeed(panel_->speed()); });
+  connect(&tool_, &PathTool::playRequested, &walk_->walker(),
+          [this] { walk_->walker().setPlaying(!walk_->walker().isPlaying()); });
   connect(&model_, &PathModel::failed, this,
           [&messages = host.messages](const QString& text) { messages.showErrorOf(MessageSubject::Path, text); });
   connect(&model_, &PathModel::resultChanged, this,
@@ -98,20 +111,25 @@ void PathFeature::follow() {
   const bool shown = view_.tool() == &tool_ || !dock_->isHidden();
   tool_.setShown(shown);
   separation_->setShown(shown);
+  walk_->setShown(shown);
   model_.setActive(shown);
   boundSelection();
 }
 
 void PathFeature::takeResult() {
   const auto run = controller_.finishedRun();
+  const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   if (run) {
-    model_.setGround({run->result.mesh, placeReach(run->pipeline), run->environment,
-                      agentHeight(run->pipeline, run->environment->metresPerUnit), agentStep(run->pipeline),
-                      agentGap(run->pipeline)});
+    const PathModel::Ground ground{
+        run->result.mesh,         placeReach(run->pipeline),
+        run->environment,         agentHeight(run->pipeline, run->environment->metresPerUnit),
+        agentStep(run->pipeline), agentGap(run->pipeline)};
+    walk_->setGround(ground, radiusOf(run->pipeline), run->environment->metresPerUnit);
+    model_.setGround(ground);
   } else {
+    walk_->setGround({}, 0, metres);
     model_.setGround({});
   }
-  const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   separation_->setMargin(kShownAroundLinks / metres);
   panel_->setNotice(!file_.environment() ? tr("Open an environment first.")
                     : run                ? QString()
@@ -153,6 +171,7 @@ void PathFeature::load(const std::string& text) {
   if (!(speed > 0 && std::isfinite(speed))) throw std::runtime_error("a walking speed that is not above 0");
   model_.setPlaces(toPlace(json.value("start", Json())), toPlace(json.value("target", Json())));
   panel_->setSpeed(speed);
+  walk_->setSpeed(speed);
 }
 
 }  // namespace footfall::ui

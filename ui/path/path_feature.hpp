@@ -10,6 +10,7 @@
 #include "ui/path/path_panel.hpp"
 #include "ui/path/path_tool.hpp"
 #include "ui/path/separation_view.hpp"
+#include "ui/path/walk/walk_feature.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/feature_host.hpp"
 
@@ -24,6 +25,7 @@ class PathFeature : public QObject {
   PathFeature(const FeatureHost& host, LevelView& view, Document& document, LevelFile& file, RunController& controller);
 
   [[nodiscard]] PathModel& model() { return model_; }
+  [[nodiscard]] WalkFeature& walk() { return *walk_; }
 
  private:
   void takeResult();
@@ -39,6 +41,7 @@ class PathFeature : public QObject {
   PathTool tool_;
   PathPanel* panel_;
   SeparationView* separation_;
+  WalkFeature* walk_;
   QDockWidget* dock_;
   std::string environment_;   ///< file that the places lie in
   bool fromSession_ = false;  ///< the places came with the file that is being opened

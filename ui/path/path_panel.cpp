@@ -115,6 +115,11 @@ void PathPanel::addBelowFailure(QWidget* widget) {
   rows->insertWidget(rows->indexOf(failure_) + 1, widget);
 }
 
+void PathPanel::addBelowText(QWidget* widget) {
+  auto* rows = static_cast<QVBoxLayout*>(layout());
+  rows->insertWidget(rows->indexOf(text_) + 1, widget);
+}
+
 void PathPanel::setNotice(const QString& notice) {
   notice_ = notice;
   showResult();

@@ -25,6 +25,8 @@ class PathPanel : public QWidget {
   void setSpeed(double metresPerSecond);
   /// Puts a widget below the reason of a failure, and takes ownership of it.
   void addBelowFailure(QWidget* widget);
+  /// The same below what the path takes.
+  void addBelowText(QWidget* widget);
   [[nodiscard]] QString text() const { return text_->text(); }
 
  signals:

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "ui/base/localized_numbers.hpp"
+#include "ui/path/walk/walk_track.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -60,8 +61,10 @@ QString pathText(const PathResult& result, const LevelUnits& units, double speed
   lines << (result.bends.size() == 1 ? PathText::tr("In the plan %1, 1 bend").arg(units.length(result.planLength))
                                      : PathText::tr("In the plan %1, %2 bends")
                                            .arg(units.length(result.planLength), countText(result.bends.size())));
-  const double metres = result.length * units.metresPerUnit;
-  if (speed > 0) lines << PathText::tr("%1 at %2 m/s").arg(seconds(metres / speed), measureText(speed));
+  if (speed > 0) {
+    const double time = walkSeconds(result, units.metresPerUnit, speed);
+    lines << PathText::tr("%1 at %2 m/s").arg(seconds(time), measureText(speed));
+  }
   if (!result.layers.empty()) {
     QStringList layers;
     for (const std::uint32_t layer : result.layers) layers << QString::number(layer);

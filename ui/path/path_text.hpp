@@ -12,7 +12,7 @@ namespace footfall::ui {
 
 /// The reason why there is no path, and the nearest place that can be reached; empty when there is a path.
 QString failureText(const PathResult& result, const LevelUnits& units);
-/// Length, time and slopes of a path, one a line. `speed` is in metres a second.
+/// Length, time and slopes of a path, one a line. `speed` is in metres a second; drops take as long as a fall.
 QString pathText(const PathResult& result, const LevelUnits& units, double speed);
 
 }  // namespace footfall::ui

@@ -81,7 +81,7 @@ void PathTool::setUnits(const LevelUnits& units) {
 QString PathTool::hint() const {
   if (!model_.start()) return tr("Try it: click where the path starts. Esc ends.");
   if (!model_.target()) return tr("Try it: click where the path leads. Backspace takes the start back, Esc ends.");
-  return tr("Try it: drag an end, or click to begin another path. Esc ends.");
+  return tr("Try it: drag an end, click to begin another path, Space walks it. Esc ends.");
 }
 
 PathTool::End PathTool::endAt(const QPoint& place) const {
@@ -130,6 +130,10 @@ void PathTool::clicked(const ViewMouse& mouse) {
 }
 
 bool PathTool::keyPressed(const QKeyEvent& event) {
+  if (event.key() == Qt::Key_Space) {
+    emit playRequested();
+    return true;
+  }
   if (event.key() != Qt::Key_Backspace && event.key() != Qt::Key_Delete) return false;
   if (model_.target()) {
     model_.setTarget(std::nullopt);

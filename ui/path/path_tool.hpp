@@ -35,6 +35,8 @@ class PathTool : public QObject, public ViewTool {
 
  signals:
   void hintChanged(const QString& hint);
+  /// Space was pressed: the path is to be walked, or the walker is to stop.
+  void playRequested();
 
  private:
   enum class End { None, Start, Target };

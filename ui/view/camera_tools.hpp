@@ -10,7 +10,7 @@
 
 #include "ui/view/axis_gizmo.hpp"
 #include "ui/view/feature_host.hpp"
-#include "ui/view/fly_tool.hpp"
+#include "ui/view/steering/fly_tool.hpp"
 #include "ui/view/view_layout.hpp"
 
 namespace footfall::ui {

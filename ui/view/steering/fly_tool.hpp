@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QPoint>
-#include <QTimer>
-#include <optional>
-#include <set>
 
 #include "ui/view/level_view.hpp"
+#include "ui/view/steering/steering_input.hpp"
 #include "ui/view/view_tool.hpp"
 
 namespace footfall::ui {
@@ -33,23 +29,14 @@ class FlyTool : public QObject, public ViewTool {
  signals:
   void speedChanged(double speed);
 
- protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
  private:
   void begin();
-  void look(const QPoint& place);
-  void step();
+  void advance(double seconds);
 
   LevelView& view_;
   CameraController& camera_;
-  bool flying_ = false;
+  SteeringInput input_;
   double speed_ = 5;
-  std::set<int> held_;  ///< keys
-  bool fast_ = false;
-  QTimer timer_;
-  QElapsedTimer sinceStep_;
-  std::optional<QPoint> last_;  ///< place of the mouse
 };
 
 }  // namespace footfall::ui
