@@ -8248,6 +8248,120 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::SideBySide</name>
+    <message>
+        <source>View of pipeline B</source>
+        <translation>Ansicht der Pipeline B</translation>
+    </message>
+    <message>
+        <source>Two Pipelines Side by Side</source>
+        <translation>Zwei Pipelines nebeneinander</translation>
+    </message>
+    <message>
+        <source>Keep the filters as they are as B, beside the list that you go on editing as A</source>
+        <translation>Die Filter, wie sie sind, als B behalten, neben der Liste, die Sie als A weiter bearbeiten</translation>
+    </message>
+    <message>
+        <source>the filters as they were</source>
+        <translation>die Filter, wie sie waren</translation>
+    </message>
+    <message>
+        <source>B is being computed …</source>
+        <translation>B wird berechnet …</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>The filters as they are</source>
+        <translation>Die Filter, wie sie sind</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorlagen</translation>
+    </message>
+    <message>
+        <source>A pipeline file…</source>
+        <translation>Eine Pipeline-Datei…</translation>
+    </message>
+    <message>
+        <source>A pipeline for B</source>
+        <translation>Eine Pipeline für B</translation>
+    </message>
+    <message>
+        <source>Pipelines (*.pipeline)</source>
+        <translation>Pipelines (*.pipeline)</translation>
+    </message>
+    <message>
+        <source>Swap the pipelines A and B</source>
+        <translation>Die Pipelines A und B tauschen</translation>
+    </message>
+    <message>
+        <source>the list before the swap</source>
+        <translation>die Liste vor dem Tausch</translation>
+    </message>
+    <message>
+        <source>Keep pipeline B</source>
+        <translation>Pipeline B behalten</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::SideBySideBar</name>
+    <message>
+        <source>Walkable area</source>
+        <translation>Begehbare Fläche</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;A&lt;/b&gt; the list of filters</source>
+        <translation>&lt;b&gt;A&lt;/b&gt; die Liste der Filter</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>&amp;Swap</source>
+        <translation>&amp;Tauschen</translation>
+    </message>
+    <message>
+        <source>Edit B: its filters become the list, and the list becomes B</source>
+        <translation>B bearbeiten: Seine Filter werden zur Liste, und die Liste wird zu B</translation>
+    </message>
+    <message>
+        <source>Keep &amp;A</source>
+        <translation>&amp;A behalten</translation>
+    </message>
+    <message>
+        <source>End side by side; the list of filters stays as it is</source>
+        <translation>Nebeneinander beenden; die Liste der Filter bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Keep &amp;B</source>
+        <translation>&amp;B behalten</translation>
+    </message>
+    <message>
+        <source>End side by side; the list of filters becomes B&apos;s (can be undone)</source>
+        <translation>Nebeneinander beenden; die Liste der Filter wird die von B (lässt sich rückgängig machen)</translation>
+    </message>
+    <message>
+        <source>B is…</source>
+        <translation>B ist…</translation>
+    </message>
+    <message>
+        <source>Choose the filters that B shows</source>
+        <translation>Wählen, welche Filter B zeigt</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::SkippedFeature</name>
     <message>
         <source>Left Out</source>

@@ -22,6 +22,7 @@
 #include "ui/inspect/compare_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
+#include "ui/inspect/side_by_side/side_by_side.hpp"
 #include "ui/level/environment_tools.hpp"
 #include "ui/level/import_edits.hpp"
 #include "ui/level/level_look.hpp"
@@ -56,6 +57,7 @@ EditorWindow::EditorWindow(QWidget* parent) : QMainWindow(parent) {
 
 EditorWindow::~EditorWindow() {
   view_->setTool(nullptr);
+  delete findChild<SideBySide*>();
   delete cells_;
   // Docks emit a signal when they are hidden with the window. Only this signal is disconnected, because styles use
   // others.
@@ -82,7 +84,10 @@ void EditorWindow::createWidgets() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(messages_);
-  layout->addWidget(view_, 1);
+  views_ = new QSplitter(Qt::Horizontal, central);
+  views_->setChildrenCollapsible(false);
+  views_->addWidget(view_);
+  layout->addWidget(views_, 1);
   setCentralWidget(central);
   central->setFocusProxy(view_);  // code that returns the focus gives it to the view
 
@@ -207,6 +212,7 @@ void EditorWindow::createFeatures() {
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
+  new SideBySide(host, *views_, *view_, document_, file_, composer_, controller_);
   auto* notes = new ParameterNotes(document_, file_, *messages_, this);
   connect(notes, &ParameterNotes::measured, import_,
           [this](const LevelMeasures& measures) { import_->setEvidence(findScale(measures)); });

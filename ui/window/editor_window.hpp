@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 #include <QPushButton>
+#include <QSplitter>
 #include <memory>
 #include <optional>
 
@@ -152,6 +153,7 @@ class EditorWindow : public QMainWindow {
   bool levelFailed_ = false;  ///< the error of a level that cannot be composed is shown
 
   LevelView* view_ = nullptr;
+  QSplitter* views_ = nullptr;  ///< the view, and another one beside it
   ViewLayout* overlays_ = nullptr;
   WelcomePage* welcomePage_ = nullptr;
   MessageBar* messages_ = nullptr;

@@ -1,0 +1,184 @@
+// Two pipelines side by side: counts, linked cameras, which one stays.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "tests/editor/editor_driver.hpp"
+#include "ui/inspect/side_by_side/side_by_side.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::ui;
+using namespace footfall::test;
+
+namespace {
+
+constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nLayerSubdivisionFilter\n";
+
+double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+}  // namespace
+
+class TestSideBySide : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void init() {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<EditorWindow>();
+    window_->setRemembering(false);
+    window_->resize(1440, 900);
+    QVERIFY(showWindow(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+    side_ = window_->findChild<SideBySide*>();
+    QVERIFY(side_);
+  }
+  void cleanup() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  void bothAreCounted() {
+    openPair();
+    // The same twice: the floor without what lies under the table, and the table.
+    QCOMPARE(side_->bar().cell(0, 0), side_->bar().cell(1, 0));
+    QCOMPARE(side_->bar().cell(0, 1), QString("2"));
+    QCOMPARE(side_->bar().cell(2, 0), QString("0 units²"));
+    QCOMPARE(side_->bar().cell(2, 2), QString("0"));
+    // A is edited; B stays.
+    const QString before = side_->bar().cell(1, 0);
+    setClearance(0.5);
+    QVERIFY(waitForBoth());
+    QCOMPARE(side_->bar().cell(1, 0), before);
+    QTRY_COMPARE(side_->bar().cell(0, 0), QString("68 units²"));  // floor and table
+    QCOMPARE(side_->bar().cell(2, 0), QString("\u22124 units²"));
+    shoot(*window_, "side-by-side");
+    QVERIFY(side_->other() == parsePipeline(kPipeline, "test"));
+    // Both views show their own results.
+    QVERIFY(window_->view().content().walkable != side_->otherView()->content().walkable);
+    QVERIFY(!side_->otherView()->content().walkable.empty());
+  }
+
+  void camerasAreLinked() {
+    openPair();
+    CameraController& a = window_->view().cameraController();
+    CameraController& b = side_->otherView()->cameraController();
+    a.viewFromTop();
+    QTRY_VERIFY(distance(a.pose().position, b.pose().position) < 1e-9);
+    QVERIFY(b.pose().orthographic);
+    b.turnBy(30, 20);
+    QVERIFY(distance(a.pose().position, b.pose().position) < 1e-9);
+    QVERIFY(a.pose().orientation == b.pose().orientation);
+    // What is cut away is cut away in both.
+    window_->view().setHeights({0, 0.5});
+    QTRY_VERIFY(side_->otherView()->heights() == window_->view().heights());
+    window_->view().setMode(ViewMode::WalkableOnly);
+    QTRY_COMPARE(side_->otherView()->mode(), ViewMode::WalkableOnly);
+    window_->view().setMode(ViewMode::Slope);
+    QTRY_COMPARE(side_->otherView()->mode(), ViewMode::Result);  // B has no scale
+    // Each has half of the place, and the camera is where it was afterwards.
+    QVERIFY(std::abs(window_->view().width() - side_->otherView()->width()) < 12);
+    const CameraPose pose = a.pose();
+    QTest::mouseClick(side_->bar().keepAButton(), Qt::LeftButton);
+    QVERIFY(!side_->isOpen() && !side_->otherView());
+    QTest::qWait(50);
+    QVERIFY(distance(a.pose().position, pose.position) < 1e-9);
+    QVERIFY(!window_->commands().find("view.sideBySide")->isChecked());
+  }
+
+  void oneOfThemStays() {
+    openPair();
+    setClearance(0.5);
+    QVERIFY(waitForBoth());
+    const Pipeline a = window_->document().pipeline();
+    const Pipeline b = side_->other();
+    QVERIFY(!(a == b));
+    QTest::mouseClick(side_->bar().swapButton(), Qt::LeftButton);
+    QVERIFY(window_->document().pipeline() == b && side_->other() == a);
+    QVERIFY(waitForBoth());
+    QTRY_COMPARE(side_->bar().cell(1, 0), QString("68 units²"));
+    QCOMPARE(side_->bar().cell(2, 0), QString("+4 units²"));
+    QTest::mouseClick(side_->bar().keepBButton(), Qt::LeftButton);
+    QVERIFY(!side_->isOpen());
+    QVERIFY(window_->document().pipeline() == a);
+    QCOMPARE(window_->document().undoStack()->undoText(), QString("Keep pipeline B"));
+    window_->document().undoStack()->undo();
+    QVERIFY(window_->document().pipeline() == b);
+  }
+
+  void sourcesOfB() {
+    openPair();
+    QMenu* menu = side_->bar().sources();
+    emit menu->aboutToShow();
+    QAction* preset = nullptr;
+    for (QAction* action : menu->actions())
+      if (action->text() == builtInName()) preset = action;
+    QVERIFY(preset);
+    preset->trigger();
+    QVERIFY(waitForBoth());
+    QVERIFY(!(side_->other() == parsePipeline(kPipeline, "test")));
+    QVERIFY(window_->document().pipeline() == parsePipeline(kPipeline, "test"));
+    // One that fails says so, and the view keeps what it showed.
+    side_->open(parsePipeline("SlopeFilter 45\nReachableFilter 100 100 100\n", "test"), "fails");
+    QTRY_VERIFY2(side_->bar().note().startsWith("B: "), qPrintable(side_->bar().note()));
+    QCOMPARE(side_->bar().cell(2, 0), QString("…"));
+  }
+
+  void followsTheLevel() {
+    openPair();
+    // An obstacle is an obstacle for both.
+    DocumentState next = window_->document().state();
+    PlacedObstacle box;
+    box.id = 1;
+    box.name = "box";
+    box.base = {-3, -3, 0};
+    box.size = {1, 1, 1};
+    next.obstacles.push_back(box);
+    const QString before = side_->bar().cell(1, 0);
+    window_->document().edit(next, "place a box");
+    QVERIFY(waitForBoth());
+    QTRY_VERIFY(side_->bar().cell(1, 0) != before && side_->bar().cell(1, 0) != "…");
+    QTRY_COMPARE(side_->bar().cell(0, 0), side_->bar().cell(1, 0));
+    QTRY_VERIFY(side_->otherView()->environmentGeometry() == window_->view().environmentGeometry());
+    // A session keeps B.
+    const QString session = folder_->filePath("pair.footfall");
+    window_->saveSession(session);
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), "SlopeFilter 45\n"));
+    QVERIFY(!side_->isOpen());  // another level
+    window_->open(session);
+    QVERIFY(QTest::qWaitFor([&] { return side_->isOpen(); }, kWaitMs));
+    QVERIFY(waitForBoth());
+    QVERIFY(side_->other() == parsePipeline(kPipeline, "test"));
+    QTRY_COMPARE(side_->bar().cell(2, 0), QString("0 units²"));
+  }
+
+  void nothingToCompareBeforeALevel() {
+    EditorWindow empty;
+    empty.setRemembering(false);
+    QVERIFY(!empty.commands().find("view.sideBySide")->isEnabled());
+  }
+
+ private:
+  static QString builtInName() { return "Parallel"; }
+  void openPair() {
+    window_->commands().find("view.sideBySide")->trigger();
+    QVERIFY(side_->isOpen());
+    QVERIFY(window_->commands().find("view.sideBySide")->isChecked());
+    QVERIFY(waitForBoth());
+    QTRY_VERIFY(side_->bar().cell(2, 0) != "…");
+  }
+  bool waitForBoth() {
+    return waitUntilIdle(*window_) && QTest::qWaitFor([&] { return !side_->isBusy(); }, kWaitMs);
+  }
+  void setClearance(double value) {
+    window_->document().setValue(window_->document().filters()[1].id, 0, value, -1);
+    QVERIFY(waitUntilIdle(*window_));
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+  SideBySide* side_ = nullptr;
+};
+
+FOOTFALL_EDITOR_SUITE(TestSideBySide)
+#include "test_side_by_side.moc"
