@@ -181,6 +181,12 @@ void EditorWindow::createComforts() {
                  QStringLiteral("search")},
                 [this](bool) { palette_->openUp(); });
   welcome_ = new Welcome(*welcomePage_, *view_, commands_, file_, recent_, *sessions_, *opening_);
+  const auto openFile = [this] {
+    const QString file = sessions_->path().isEmpty() ? file_.path() : sessions_->path();
+    return sessions_->remembering() ? file : QString();
+  };
+  pictures_ = new RecentPhotographer(*view_, controller_, recent_, openFile, writing_, this);
+  connect(pictures_, &RecentPhotographer::changed, welcome_, &Welcome::refresh);
   help_ = new HelpPanel(document_, *filters_);
   host_->panels.add({QStringLiteral("view.help"),
                      tr("Help"),

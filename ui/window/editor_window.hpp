@@ -32,6 +32,7 @@
 #include "ui/window/help_panel.hpp"
 #include "ui/window/level_opening.hpp"
 #include "ui/window/pipeline_files.hpp"
+#include "ui/window/recent/recent_photographer.hpp"
 #include "ui/window/result_export.hpp"
 #include "ui/window/run_log.hpp"
 #include "ui/window/session_files.hpp"
@@ -98,6 +99,7 @@ class EditorWindow : public QMainWindow {
   [[nodiscard]] LevelView& view() { return *view_; }
   [[nodiscard]] CellWatch& cellWatch() { return cells_->watch(); }
   [[nodiscard]] PackedFeature& packed() { return *packed_; }
+  [[nodiscard]] RecentPhotographer& photographer() { return *pictures_; }
   [[nodiscard]] FileWriter& writer() { return *writer_; }
   /// The level that runs compute on, with roles of parts and obstacles. Null when nothing is loaded.
   [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
@@ -182,6 +184,7 @@ class EditorWindow : public QMainWindow {
   ResultExport* exports_ = nullptr;
   WindowClosing* closing_ = nullptr;
   Welcome* welcome_ = nullptr;
+  RecentPhotographer* pictures_ = nullptr;
   RunLog* runLog_ = nullptr;
 
   // Declared last: their threads end before the other members are destroyed.

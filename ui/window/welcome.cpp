@@ -26,9 +26,7 @@ Welcome::Welcome(WelcomePage& page, LevelView& view, CommandRegistry& commands, 
   connect(&page_, &WelcomePage::continueRequested, &opening, &LevelOpening::continueLastSession);
   connect(&page_, &WelcomePage::removeRequested, &recent_, &RecentFiles::remove);
   connect(&page_, &WelcomePage::closeRequested, this, [this] { show(false); });
-  connect(&recent_, &RecentFiles::changed, this, [this] {
-    if (!page_.isHidden()) update();
-  });
+  connect(&recent_, &RecentFiles::changed, this, &Welcome::refresh);
   connect(&file_, &LevelFile::opened, this, [this] { show(false); });
   view_.installEventFilter(this);
   show(true);
@@ -42,8 +40,12 @@ bool Welcome::eventFilter(QObject* watched, QEvent* event) {
   return QObject::eventFilter(watched, event);
 }
 
+void Welcome::refresh() {
+  if (!page_.isHidden()) update();
+}
+
 void Welcome::update() {
-  page_.setRecentFiles(recent_.paths());
+  page_.setRecentFiles(recent_.paths(), RecentPictures::ofUser());
   const std::optional<KeptSession> last = sessions_.lastSession();
   page_.setLastSession(
       last ? std::optional(WelcomePage::LastSession{QFileInfo(last->environment).fileName(), last->time})

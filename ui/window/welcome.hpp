@@ -23,6 +23,8 @@ class Welcome : public QObject {
 
   /// Shows or hides the page. Without a level the page stays, because there is nothing behind it.
   void show(bool on);
+  /// What the page offers may be another: shows that, if the page is shown.
+  void refresh();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -8,6 +8,7 @@
 #include <QKeyEvent>
 #include <QList>
 #include <QLocale>
+#include <QPainter>
 #include <QScrollArea>
 #include <QVBoxLayout>
 #include <array>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr QSize kThumbnail(168, 94);
 constexpr int kWidest = 900;
+constexpr int kSmallIcon = 24;
 enum Role { PathRole = Qt::UserRole, MissingRole };
 
 struct KnownSample {
@@ -146,7 +148,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QFrame(parent) {
   layout->addWidget(scroll);
   setClosable(false);
   setLastSession({});
-  setRecentFiles({});
+  setRecentFiles({}, RecentPictures::ofUser());
 }
 
 QWidget* WelcomePage::makeFiles() {
@@ -169,6 +171,7 @@ QWidget* WelcomePage::makeFiles() {
   recent_->setTabKeyNavigation(false);
   recent_->setMinimumHeight(120);
   recent_->setTextElideMode(Qt::ElideMiddle);
+  recent_->setIconSize(kThumbnail / 2);
   recent_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   recent_->installEventFilter(this);
   noRecent_ = new QLabel(tr("Files that you open are listed here."), files);
@@ -252,13 +255,35 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
   }
 }
 
-void WelcomePage::setRecentFiles(const QStringList& paths) {
+QIcon WelcomePage::recentIcon(const QImage& picture, const QString& otherwise) const {
+  const qreal ratio = devicePixelRatioF();
+  QPixmap pixmap(kThumbnail / 2 * ratio);
+  pixmap.setDevicePixelRatio(ratio);
+  pixmap.fill(Qt::transparent);
+  QPainter painter(&pixmap);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  const QRect all(QPoint(0, 0), kThumbnail / 2);
+  if (!picture.isNull()) {
+    painter.drawImage(all, picture.scaled(pixmap.size(), Qt::IgnoreAspectRatio, Qt::SmoothTransformation));
+  } else {
+    QRect middle(0, 0, kSmallIcon, kSmallIcon);
+    middle.moveCenter(all.center());
+    icon(otherwise).paint(&painter, middle);
+  }
+  painter.end();
+  QIcon shown(pixmap);
+  shown.addPixmap(pixmap, QIcon::Selected);  // as it is: a picture must not be tinted
+  return shown;
+}
+
+void WelcomePage::setRecentFiles(const QStringList& paths, const RecentPictures& pictures) {
   const int row = recent_->currentRow();
   recent_->clear();
   for (const QString& path : paths) {
     const QFileInfo file(path);
     const bool missing = !file.exists();
-    auto* item = new QListWidgetItem(icon(missing ? QStringLiteral("warning") : QStringLiteral("environment")),
+    auto* item = new QListWidgetItem(recentIcon(missing ? QImage() : pictures.find(path),
+                                                missing ? QStringLiteral("warning") : QStringLiteral("environment")),
                                      missing ? tr("%1 (missing)").arg(file.fileName()) + QLatin1Char('\n') + file.path()
                                              : file.fileName() + QLatin1Char('\n') + file.path(),
                                      recent_);

@@ -12,6 +12,8 @@
 #include <optional>
 #include <vector>
 
+#include "ui/window/recent/recent_pictures.hpp"
+
 namespace footfall::ui {
 
 struct Sample {
@@ -39,8 +41,8 @@ class WelcomePage : public QFrame {
   };
 
   void setSamples(const std::vector<Sample>& samples);
-  /// Missing files are marked as such, and can only be removed from the list.
-  void setRecentFiles(const QStringList& paths);
+  /// Files that are not there any more are told so, and can only be taken off the list.
+  void setRecentFiles(const QStringList& paths, const RecentPictures& pictures);
   void setLastSession(const std::optional<LastSession>& session);
   /// Sets whether the page can be closed, which needs a level behind it.
   void setClosable(bool closable);
@@ -66,6 +68,8 @@ class WelcomePage : public QFrame {
   bool focusNextPrevChild(bool next) override;
 
  private:
+  /// A picture of a file, or a small icon in its place.
+  [[nodiscard]] QIcon recentIcon(const QImage& picture, const QString& otherwise) const;
   QWidget* makeFiles();
   QWidget* makeSamples();
   void chooseRecent();
