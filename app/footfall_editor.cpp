@@ -8,6 +8,7 @@
 #include "footfall/up_axis.hpp"
 #include "footfall/version.hpp"
 #include "ui/window/editor_application.hpp"
+#include "ui/window/turntable/turntable.hpp"
 
 namespace {
 
@@ -42,8 +43,17 @@ int main(int argc, char** argv) {
   for (const footfall::UpAxis axis : footfall::kUpAxes) ups.emplace_back(footfall::nameOf(axis));
   app.add_option("--up", up, "axis of the file that points up")->check(CLI::IsMember(ups));
   auto* scaleOption = app.add_option("--scale", scale, "metres per unit of the file")->check(CLI::PositiveNumber);
-  app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
-  app.add_option("--size", size, "size of the window, e.g. 1600x1000");
+  auto* screenshot =
+      app.add_option("--screenshot", options.screenshot, "write a picture of the finished result and exit");
+  auto* turntable =
+      app.add_option("--turntable", options.turntable, "write pictures of the finished result from all around and exit")
+          ->type_name("FOLDER")
+          ->excludes(screenshot);
+  app.add_option("--frames", options.frames, "number of the turntable's pictures")
+      ->check(CLI::Range(footfall::ui::kLeastFrames, footfall::ui::kMostFrames))
+      ->capture_default_str()
+      ->needs(turntable);
+  app.add_option("--size", size, "size of the window, or of the turntable's pictures, e.g. 1600x1000");
   app.add_option("--view", view, "where to look from")->check(CLI::IsMember({"top", "oblique"}))->capture_default_str();
   std::vector<std::string> modes;
   for (const footfall::ui::ViewMode mode : footfall::ui::kViewModes) modes.emplace_back(footfall::ui::nameOf(mode));
@@ -66,6 +76,9 @@ int main(int argc, char** argv) {
     if (!options.screenshot.empty() && options.environment.empty()) {
       throw footfall::InputError("--screenshot needs an environment; name one");
     }
+    if (*turntable && options.environment.empty())
+      throw footfall::InputError("--turntable needs an environment; name one");
+    if (*turntable && options.turntable.empty()) throw footfall::InputError("--turntable needs a folder; name one");
     if (!pipelinePath.empty() && options.environment.empty()) {
       throw footfall::InputError("-p needs an environment; name one");
     }

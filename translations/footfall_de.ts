@@ -4647,6 +4647,10 @@
         <source>Units, threads, theme, language, size of the interface, and keys</source>
         <translation>Einheiten, Threads, Darstellung, Sprache, Größe der Oberfläche und Tasten</translation>
     </message>
+    <message>
+        <source>Turntable: %1 of %2 frames</source>
+        <translation>Drehteller: %1 von %2 Bildern</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::EnvironmentLoader</name>
@@ -8584,6 +8588,102 @@ Material: %2</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::Turntable</name>
+    <message>
+        <source>%1: %2 of %3 frames are written, as the filters run again; start the turntable anew after the run</source>
+        <translation>%1: %2 von %3 Bildern sind geschrieben, denn die Filter laufen noch einmal; beginnen Sie den Drehteller nach dem Lauf von vorn</translation>
+    </message>
+    <message>
+        <source>there is no result to show yet; open an environment and wait for the run</source>
+        <translation>Es gibt noch kein Ergebnis zu zeigen; öffnen Sie eine Umgebung und warten Sie auf den Lauf</translation>
+    </message>
+    <message>
+        <source>the turntable needs a folder; name one</source>
+        <translation>Der Drehteller braucht einen Ordner; nennen Sie einen</translation>
+    </message>
+    <message>
+        <source>%1: is a file; name a folder</source>
+        <translation>%1: ist eine Datei; nennen Sie einen Ordner</translation>
+    </message>
+    <message>
+        <source>%1: has frames of another sequence; name another folder, or remove them</source>
+        <translation>%1: hat Bilder einer anderen Folge; nennen Sie einen anderen Ordner, oder entfernen Sie sie</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made; name one in a place that you may write to</source>
+        <translation>%1: Der Ordner lässt sich nicht anlegen; nennen Sie einen, wo Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>frames of %1 × %2 cannot be drawn here; choose a smaller size</source>
+        <translation>Bilder von %1 × %2 lassen sich hier nicht zeichnen; wählen Sie eine kleinere Größe</translation>
+    </message>
+    <message>
+        <source>%1. %2 of %3 frames are written</source>
+        <translation>%1. %2 von %3 Bildern sind geschrieben</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 frames are written, as the turntable was cancelled</source>
+        <translation>%1: %2 von %3 Bildern sind geschrieben, denn der Drehteller wurde abgebrochen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::TurntableDialog</name>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>Writes pictures of the result from all around, as a sequence of PNG files (frame_0001.png and so on). The first one looks as the view does now.</source>
+        <translation>Schreibt Bilder des Ergebnisses von rundum, als Folge von PNG-Dateien (frame_0001.png und so fort). Das erste blickt, wie die Ansicht jetzt blickt.</translation>
+    </message>
+    <message>
+        <source>&amp;Browse...</source>
+        <translation>D&amp;urchsuchen...</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>&amp;Ordner</translation>
+    </message>
+    <message>
+        <source>F&amp;rames</source>
+        <translation>&amp;Bilder</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>&amp;Größe</translation>
+    </message>
+    <message>
+        <source>&amp;Write</source>
+        <translation>&amp;Schreiben</translation>
+    </message>
+    <message>
+        <source>A folder for the frames</source>
+        <translation>Ein Ordner für die Bilder</translation>
+    </message>
+    <message>
+        <source>%1 s at %2 frames a second</source>
+        <translation>%1 s bei %2 Bildern je Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::TurntableFeature</name>
+    <message>
+        <source>&amp;Turntable...</source>
+        <translation>&amp;Drehteller...</translation>
+    </message>
+    <message>
+        <source>Write pictures from all around the level, as a sequence of PNG files</source>
+        <translation>Bilder rund um das Level schreiben, als Folge von PNG-Dateien</translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrote %n frames to %1</source>
+        <translation>
+            <numerusform>%n Bild nach %1 geschrieben</numerusform>
+            <numerusform>%n Bilder nach %1 geschrieben</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -198,4 +198,14 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>footfall::ui::TurntableFeature</name>
+    <message numerus="yes">
+        <source>Wrote %n frames to %1</source>
+        <translation>
+            <numerusform>Wrote %n frame to %1</numerusform>
+            <numerusform>Wrote %n frames to %1</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

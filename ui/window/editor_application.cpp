@@ -5,11 +5,8 @@
 #include <QFile>
 #include <QLibrary>
 #include <QOpenGLContext>
-#include <QSaveFile>
 #include <QSettings>
 #include <QSurfaceFormat>
-#include <QTimer>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
@@ -20,16 +17,13 @@
 #include "ui/base/theme.hpp"
 #include "ui/base/translations.hpp"
 #include "ui/level/level_look.hpp"
-#include "ui/level/packed_feature.hpp"
-#include "ui/view/view_hint.hpp"
 #include "ui/window/editor_window.hpp"
 #include "ui/window/preferences.hpp"
+#include "ui/window/unattended.hpp"
 #include "ui/window/window_placement.hpp"
 
 namespace footfall::ui {
 namespace {
-
-constexpr int kSettleMs = 100;  // time for the layout, before the picture is taken
 
 std::string variable(const char* name) {
   const char* value = std::getenv(name);
@@ -82,61 +76,6 @@ std::string displayProblem(std::unique_ptr<DisplayProbe>& probe) {
   return {};
 }
 
-int fail(int code, const QString& message) {
-  std::fprintf(stderr, "footfall-editor: %s\n", qPrintable(message));
-  return code;
-}
-
-int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
-  // Only picture files are accepted, so that a typing error cannot replace a level.
-  const QString target = QFile::decodeName(options.screenshot.c_str());
-  if (!target.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-    return fail(2, QStringLiteral("%1: --screenshot writes .png files; give a name that ends so").arg(target));
-  int code = 0;
-  const auto finish = [&](int result) {
-    code = result;
-    QCoreApplication::exit(result);
-  };
-  QObject::connect(&window, &EditorWindow::loadFailed, &window,
-                   [&](const QString& message) { finish(fail(2, message)); });
-  QObject::connect(&window.controller(), &RunController::failed, &window,
-                   [&](const QString& message) { finish(fail(1, message)); });
-  QObject::connect(&window.view(), &LevelView::failed, &window,
-                   [&](const QString& message) { finish(fail(1, message)); });
-  auto* look = window.findChild<LevelLook*>();
-  QTimer settle;
-  settle.setInterval(kSettleMs);
-  QObject::connect(&window.controller(), &RunController::finished, &window, [&] {
-    if (options.cells) window.setCellsShown(*options.cells);
-    if (options.mode) look->modes().setMode(*options.mode);
-    settle.start();
-  });
-  QObject::connect(&settle, &QTimer::timeout, &window, [&] {
-    if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
-    // A session's part of a large environment is loaded after the first one, and blocks after either.
-    if (window.file().busy() || window.controller().busy() || window.packed().busy()) return;
-    settle.stop();
-    // A session has a camera position of its own.
-    if (options.top) window.view().cameraController().viewFromTop();
-    if (!options.top && !window.openedSession()) window.view().cameraController().viewOblique();
-    const QString why = window.writer().refusal(target, WrittenKind::Export);
-    if (!why.isEmpty()) {
-      finish(fail(2, why));
-      return;
-    }
-    // Hints cannot be closed in a picture.
-    for (ViewHint* hint : window.findChildren<ViewHint*>()) hint->hide();
-    window.view().grabFramebuffer();  // the next frames find all of it drawn
-    QSaveFile file(target);
-    const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
-    finish(written ? 0
-                   : fail(1, QStringLiteral("%1: cannot be written (%2); choose another folder or name")
-                                 .arg(target, file.errorString())));
-  });
-  QApplication::exec();
-  return code;
-}
-
 }  // namespace
 
 std::string findDisplayProblem() {
@@ -166,23 +105,23 @@ void prepareApplication() {
 int runEditor(int& argc, char** argv, const EditorOptions& options) {
   std::unique_ptr<DisplayProbe> probe;
   const std::string problem = displayProblem(probe);
-  if (!problem.empty()) return fail(2, QString::fromStdString(problem));
+  if (!problem.empty()) return failWith(2, QString::fromStdString(problem));
   requestOpenGl();
-  // Pictures do not depend on the user's settings.
-  if (options.screenshot.empty()) applyInterfaceScale();
+  // Pictures are the same for everybody.
+  const bool shooting = !options.screenshot.empty() || !options.turntable.empty();
+  if (!shooting) applyInterfaceScale();
   GuardedApplication application(argc, argv);
   probe.reset();
   prepareApplication();
   loadTranslations(QString::fromStdString(options.language));
   if (options.theme) Theme::instance()->show(*options.theme);
   if (QOpenGLContext context; !context.create()) {
-    return fail(2,
-                QStringLiteral("no OpenGL on this display (%1); install a graphics driver or Mesa's software OpenGL, "
-                               "or use the command line footfall")
-                    .arg(QGuiApplication::platformName()));
+    return failWith(
+        2, QStringLiteral("no OpenGL on this display (%1); install a graphics driver or Mesa's software OpenGL, "
+                          "or use the command line footfall")
+               .arg(QGuiApplication::platformName()));
   }
   EditorWindow window;
-  const bool shooting = !options.screenshot.empty();
   window.setRemembering(!shooting);
   const QSize size = options.size.isEmpty() ? QSize(1440, 900) : options.size;
   if (shooting || !options.size.isEmpty()) {
@@ -213,6 +152,7 @@ int runEditor(int& argc, char** argv, const EditorOptions& options) {
         },
         Qt::QueuedConnection);
   }
+  if (!options.turntable.empty()) return writeTurntable(window, options);
   return shooting ? takeScreenshot(window, options) : QApplication::exec();
 }
 

@@ -19,16 +19,18 @@ struct EditorOptions {
   std::optional<Pipeline> pipeline;
   ImportOptions import;
   std::string screenshot;            ///< a PNG to write instead of waiting for a user; empty: none
-  QSize size;                        ///< size of the window; empty: its last size
-  bool top = false;                  ///< camera straight down
-  std::optional<ViewMode> mode;      ///< mode of the view; empty: that of the session
-  std::optional<CellsShown> cells;   ///< where cells of parallel blocks are shown; empty: as in the session
-  std::optional<ThemeChoice> theme;  ///< theme of this start; empty: the user's choice
-  std::string language;              ///< language of this start, as a code such as "de"; empty: the user's choice
+  std::string turntable;             ///< a folder for pictures from all around, instead of waiting; empty: none
+  int frames = 72;                   ///< of the turntable
+  QSize size;                        ///< of the window and the turntable's frames; empty: as it was last
+  bool top = false;                  ///< look straight down
+  std::optional<ViewMode> mode;      ///< of the view; empty: as the session says
+  std::optional<CellsShown> cells;   ///< what to show of parallel blocks; empty: as the session says
+  std::optional<ThemeChoice> theme;  ///< for this time; empty: as the user chose
+  std::string language;              ///< for this time, as a code such as "de"; empty: as the user chose
 };
 
-/// Runs the editor until its window is closed, or until the screenshot is written. Returns the exit code: 0 done, 1 the
-/// run failed, 2 usage or input. A problem is one line on standard error.
+/// Runs the editor until its window is closed, or until the screenshot or the turntable is written. Returns the exit
+/// code: 0 done, 1 the run failed, 2 usage or input. Problems are one line on standard error.
 int runEditor(int& argc, char** argv, const EditorOptions& options);
 
 /// The reason why no window can be opened, in one line; empty when one can. Qt itself would abort.

@@ -36,6 +36,7 @@
 #include "ui/window/export_commands.hpp"
 #include "ui/window/palette_sources.hpp"
 #include "ui/window/preferences.hpp"
+#include "ui/window/turntable/turntable_feature.hpp"
 
 namespace footfall::ui {
 
@@ -235,6 +236,21 @@ void EditorWindow::createFeatures() {
                                .messages = *messages_,
                                .log = log_});
   addExportCommands(commands_, *exports_);
+  turntable_ = new TurntableFeature({.window = *this,
+                                     .commands = commands_,
+                                     .level = file_,
+                                     .controller = controller_,
+                                     .view = *view_,
+                                     .queue = writing_,
+                                     .messages = *messages_,
+                                     .log = log_,
+                                     .status = *status_});
+  const Turntable* turntable = &turntable_->turntable();
+  connect(turntable, &Turntable::progressed, this, [this](int written, int all) {
+    showProgress(tr("Turntable: %1 of %2 frames").arg(written).arg(all), static_cast<double>(written) / all);
+  });
+  connect(turntable, &Turntable::finished, this, &EditorWindow::hideProgress);
+  connect(turntable, &Turntable::stopped, this, &EditorWindow::hideProgress);
   closing_ = new WindowClosing(*this, document_, *sessions_, *exports_, *writer_, *status_);
 }
 
@@ -358,6 +374,10 @@ void EditorWindow::hideProgress() {
 void EditorWindow::showWriting() { showProgress(tr("Writing %1").arg(writtenName_), -1); }
 
 void EditorWindow::cancelWork() {
+  if (turntable_->turntable().isRunning()) {
+    turntable_->turntable().cancel();
+    return;
+  }
   file_.cancel();
   if (controller_.busy() || !writer_->busy()) controller_.cancel();
   writer_->cancel();
@@ -377,7 +397,7 @@ void EditorWindow::setRemembering(bool on) {
 
 bool EditorWindow::idle() const {
   return !file_.busy() && !controller_.busy() && !composer_.busy() && !packed_->busy() && !writer_->busy() &&
-         exports_->waiting().isEmpty();
+         exports_->waiting().isEmpty() && !turntable_->turntable().isRunning();
 }
 
 void EditorWindow::setInteractive(bool on) { camera_->setInteractive(on); }

@@ -47,6 +47,7 @@ class CameraTools;
 class EnvironmentTools;
 class LevelLook;
 class PackedFeature;
+class TurntableFeature;
 
 /// Makes the parts of the editor, connects them, and arranges them in menus, bars and docks. Errors appear in the
 /// message bar with the message of the exception, and change nothing. Nothing here waits for a computation.
@@ -182,6 +183,7 @@ class EditorWindow : public QMainWindow {
   LevelOpening* opening_ = nullptr;
   PackedFeature* packed_ = nullptr;
   ResultExport* exports_ = nullptr;
+  TurntableFeature* turntable_ = nullptr;
   WindowClosing* closing_ = nullptr;
   Welcome* welcome_ = nullptr;
   RecentPhotographer* pictures_ = nullptr;
