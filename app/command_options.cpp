@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/base/worker_arena.hpp"
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
@@ -103,7 +104,7 @@ CLI::Validator hasName() {
 }
 
 void addThreads(CLI::App& command, int& threads, const std::string& help) {
-  command.add_option("--threads", threads, help)->check(CLI::Range(1, 1024))->type_name("N");
+  command.add_option("--threads", threads, help)->check(CLI::Range(1, kMostThreads))->type_name("N");
 }
 
 void addUpAxis(CLI::App& command, const std::string& name, std::string& up, const std::string& help) {

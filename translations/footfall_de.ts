@@ -1476,6 +1476,10 @@
         <translation>Koordinatensystem</translation>
     </message>
     <message>
+        <source>%1 threads are out of range; give 1 to %2, or 0 for as many as the machine has</source>
+        <translation>%1 Threads liegen außerhalb des Bereichs; geben Sie 1 bis %2 an, oder 0 für so viele, wie der Rechner hat</translation>
+    </message>
+    <message>
         <source>there is no connected part %1, the last is %2; choose another one</source>
         <translation>es gibt keinen zusammenhängenden Teil %1, der letzte ist %2; wählen Sie einen anderen</translation>
     </message>

@@ -197,7 +197,7 @@ FOOTFALL_API footfall_status footfall_make_cache(size_t bytes, footfall_cache** 
 FOOTFALL_API void footfall_free_cache(footfall_cache* cache);
 
 /* The exact walkable area for an agent (NULL: the default one). `context` may be NULL; `threads` 0: as many as the
- * machine has; the result does not depend on it. */
+ * machine has, at most 1024; the result does not depend on it. */
 FOOTFALL_API footfall_status footfall_walkable_area(const footfall_environment* environment,
                                                     const footfall_agent* agent, footfall_context* context, int threads,
                                                     footfall_result** result);

@@ -9,8 +9,11 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <utility>
 #include <vector>
+
+#include "footfall/errors.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -63,6 +66,9 @@ class KeptArena {
 }  // namespace
 
 void runOnThreads(int threads, const std::function<void(int)>& work) {
+  if (threads < 0 || threads > kMostThreads)
+    throw InputError(FOOTFALL_TEXT("%1 threads are out of range; give 1 to %2, or 0 for as many as the machine has"),
+                     std::to_string(threads), std::to_string(kMostThreads));
   const int workers = threads > 0 ? threads : machineThreads();
   // The arena bounds the threads of this work, whatever other work runs; the control allows more threads than
   // processors.

@@ -9,8 +9,12 @@
 
 namespace footfall::detail {
 
-/// Calls `work(n)` where parallel loops use at most n threads: `threads`, or the number of processors when that is 0.
-/// More threads than processors are made where `threads` says so. Exceptions pass through. Thread-safe.
+/// The most threads that a run may have. TBB ends the process when it is given far more.
+inline constexpr int kMostThreads = 1024;
+
+/// Calls `work(n)` where parallel loops use at most n threads: `threads`, or as many as the machine has when that is 0.
+/// Where that is more than the machine has, more threads are made. Exceptions pass through. Throws InputError for a
+/// number of threads that is negative or above kMostThreads. Thread-safe.
 void runOnThreads(int threads, const std::function<void(int)>& work);
 
 /// Runs work that returns a value.

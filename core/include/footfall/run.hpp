@@ -53,10 +53,10 @@ class ResultCache {
 };
 
 /// Runs the enabled steps over an environment that is in order (checkEnvironment()). `threads` limits the worker
-/// threads (0: as many as the machine has). Throws Cancelled, InputError (steps that do not run yet) or RunError; the
-/// cache keeps what was finished. Events count the enabled steps only, as RunResult::steps does, and steps from the
-/// cache are announced like others. Progress that is published after the last step has finished belongs to making the
-/// navigation mesh. Several threads may run at the same time, with one cache.
+/// threads (0: as many as the machine has; at most 1024). Throws Cancelled, InputError (steps that do not run yet) or
+/// RunError; the cache keeps what was finished. Events count the enabled steps only, as RunResult::steps does, and
+/// steps from the cache are announced like others. Progress that is published after the last step has finished belongs
+/// to making the navigation mesh. Several threads may run at the same time, with one cache.
 RunResult runPipeline(std::shared_ptr<const Environment> environment, const Pipeline& pipeline, RunContext& context,
                       ResultCache* cache = nullptr, int threads = 0);
 

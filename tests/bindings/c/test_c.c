@@ -1,6 +1,7 @@
 /* The C interface as a C99 program uses it: test_c SAMPLE.obj SCRATCH_FOLDER EXPORT.obj, where the last is what the
  * command line wrote for the sample. SPDX-License-Identifier: GPL-3.0-or-later */
 #include <footfall.h>
+#include <limits.h>
 #include <math.h>
 #include <pthread.h>
 #include <stdio.h>
@@ -416,6 +417,12 @@ static void testFiles(const char* sample, const char* folder, const char* expect
   footfall_environment *level = NULL, *none = NULL;
   footfall_result* result = NULL;
   CHECK_OK(footfall_load(sample, NULL, NULL, &level));
+  const int noThreads[] = {-1, 1025, 1000000, INT_MAX, INT_MIN};
+  for (size_t i = 0; i < sizeof noThreads / sizeof noThreads[0]; ++i) {
+    CHECK_FAILS(footfall_run(level, NULL, NULL, NULL, noThreads[i], &result), FOOTFALL_INPUT_ERROR, "threads are out");
+    CHECK_FAILS(footfall_walkable_area(level, NULL, NULL, noThreads[i], &result), FOOTFALL_INPUT_ERROR, "1 to 1024");
+    CHECK(result == NULL);
+  }
   CHECK_OK(footfall_run(level, NULL, NULL, NULL, 0, &result));
   snprintf(path, sizeof path, "%s/c.obj", folder);
   CHECK_OK(footfall_save(result, path, NULL));
