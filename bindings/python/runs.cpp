@@ -65,11 +65,21 @@ py::object statisticsOf(const Area& area) {
   return py::module_::import("json").attr("loads")(shownText(statisticsTextOf(area)));
 }
 
+/// Parts count from 0 in Python and from 1 in messages of the core.
+void checkPart(const NavigationMesh& mesh, std::uint32_t part, RunContext& context) {
+  const std::size_t count = findComponents(mesh, &context).list.size();
+  if (part < count) return;
+  throw InputError("part: there is no connected part " + std::to_string(part) + "; " +
+                   (count > 0 ? "give a number from 0 to " + std::to_string(count - 1) : "nothing is walkable"));
+}
+
 double saveMesh(const NavigationMesh& mesh, const std::filesystem::path& path, const ExportHeader& header,
                 const ExportOptions& options) {
   const std::string name = path.string();
-  return interruptible(py::none(),
-                       [&](RunContext& context) { return save(mesh, name, options, header, {}, &context); });
+  return interruptible(py::none(), [&](RunContext& context) {
+    if (options.part) checkPart(mesh, *options.part, context);
+    return save(mesh, name, options, header, {}, &context);
+  });
 }
 
 /// Defines `save`, whose options are those of ExportOptions. `headerOf` gives the comments.

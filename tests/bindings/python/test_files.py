@@ -76,8 +76,10 @@ class Files(unittest.TestCase):
         self.assertIn("MULTILINESTRING", (self.folder / "level-links.wkt").read_text())
         with self.assertRaisesRegex(footfall.InputError, "a version of Godot"):
             area.save(self.folder / "a.obj", godot=3)
-        with self.assertRaisesRegex(footfall.InputError, "no connected part 100000"):
+        with self.assertRaisesRegex(footfall.InputError, "^part: there is no connected part 99999; give a number"):
             area.save(self.folder / "a.wkt", part=99999)
+        with self.assertRaisesRegex(footfall.InputError, "no connected part 99999"):
+            area.save(self.folder / "a.geojson", part=99999)
 
     def test_roles_give_the_bytes_of_the_program(self):
         sample = next(s for s in SAMPLES if s.name == "house.obj")
