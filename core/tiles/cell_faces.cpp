@@ -140,8 +140,8 @@ CellCollector::Floors CellCollector::findFloors(const OwnFloors& own, const Fits
     std::vector<Box> raised = floors.boxes;
     for (Box& box : raised) widen(box, rule_.gap, reach * rule_.step);
     if (own.listed != nullptr)
-      for (const auto& [x, y] : own.listed->corners) {
-        raised.push_back({{x, y, 0}, {x, y, 0}});
+      for (const FloorsAtGaps::Corner& corner : own.listed->corners) {
+        raised.push_back({{corner.x, corner.y, 0}, {corner.x, corner.y, 0}});
         widen(raised.back(), 2 * rule_.gap, kAllHeights);
       }
     addTouching(std::move(raised), fits, context, floors, floors.seen);

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/sorted_list.hpp"
 #include "core/io/packed/packed_environment.hpp"
 
 namespace footfall::detail {
@@ -30,27 +29,46 @@ struct FloorRule {
 
 /// Floors whose borders gaps change.
 struct FloorsAtGaps {
-  std::vector<std::uint32_t> floors;  ///< their numbers in the environment
-  /// Links at corners of borders, where what lies within two gaps decides, whatever its height.
-  std::vector<std::array<double, 2>> corners;
+  /// A link at a corner of a border. Everything within two gaps decides whether it is needed, at any height.
+  struct Corner {
+    std::uint32_t floor = 0;  ///< a floor that it links
+    double x = 0, y = 0;
+    auto operator<=>(const Corner&) const = default;
+  };
+  /// A box in the plan around the side of a gap.
+  struct Side {
+    std::uint32_t floor = 0;  ///< a floor at the gap
+    std::array<double, 2> lower{}, upper{};
+  };
+
+  std::vector<std::uint32_t> floors;                 ///< numbers in the environment
+  std::vector<std::array<std::uint32_t, 2>> joined;  ///< pairs of floors whose borders get vertices together
+  std::vector<Corner> corners;
+  std::vector<Side> sides;
 
   void add(const FloorsAtGaps& others) {
-    floors.insert(floors.end(), others.floors.begin(), others.floors.end());
-    corners.insert(corners.end(), others.corners.begin(), others.corners.end());
-  }
-  void sort() {
-    sortOnce(floors);
-    sortOnce(corners);
+    const auto append = [](auto& all, const auto& more) { all.insert(all.end(), more.begin(), more.end()); };
+    append(floors, others.floors);
+    append(joined, others.joined);
+    append(corners, others.corners);
+    append(sides, others.sides);
   }
   [[nodiscard]] std::uint64_t bytes() const {
-    return floors.size() * sizeof(std::uint32_t) + corners.size() * sizeof(std::array<double, 2>);
+    return floors.size() * sizeof(floors[0]) + joined.size() * sizeof(joined[0]) + corners.size() * sizeof(corners[0]) +
+           sides.size() * sizeof(sides[0]);
   }
+};
+
+/// Floors in no range, ascending, and the corners at their gaps.
+struct ListedFloors {
+  std::vector<std::uint32_t> floors;
+  std::vector<FloorsAtGaps::Corner> corners;
 };
 
 /// The floors of a cell.
 struct OwnFloors {
   FaceRange range;
-  const FloorsAtGaps* listed = nullptr;  ///< sorted, in place of the range
+  const ListedFloors* listed = nullptr;  ///< in place of the range
 };
 
 /// The role of a face for a cell. A cell sees the floors that steps lead to from its own ones; those that touch them

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tiles/cell_links.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -8,8 +9,10 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/index_and_box.hpp"
 #include "core/filters/steps/chosen_steps.hpp"
+#include "core/filters/steps/gap_ways.hpp"
 #include "core/filters/steps/step_memory.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
@@ -102,6 +105,78 @@ class LinkRows {
   std::vector<Piece> open_;
 };
 
+/// The floors of a cell, with all that was found between their borders.
+struct GapFloors {
+  const SourceMesh& source;
+  const StepMemory& memory;
+  const std::vector<std::uint32_t>& numbers;  ///< number in the environment of each input triangle
+  const std::vector<char>& isOwn;             ///< one flag per face
+
+  [[nodiscard]] std::uint32_t numberOf(Index face) const { return numbers[source.inputTriangles[face]]; }
+};
+
+/// The floors whose borders get vertices together: they share an edge, a step or a gap.
+DisjointSets joinFloors(const GapFloors& cell, const LinkRows& changed) {
+  DisjointSets sets(cell.source.triangles.size());
+  const std::vector<MeshBorder>& borders = cell.memory.borders;
+  std::unordered_map<Index, Index> faceAt;  // by edge
+  for (const MeshBorder& border : borders)
+    if (changed.leadTo(border.edge))
+      sets.unite(faceAt.try_emplace(border.edge, border.face).first->second, border.face);
+  for (const StepStretch& s : cell.memory.found.stretches)
+    if (changed.leadTo(borders[s.first].edge) || changed.leadTo(borders[s.second].edge))
+      sets.unite(borders[s.first].face, borders[s.second].face);
+  for (const GapStretch& gap : cell.memory.found.gaps) sets.unite(borders[gap.first].face, borders[gap.second].face);
+  return sets;
+}
+
+/// The first side of a gap, in environment units, with one of its own floors. The vertices are rounded; GapGroups
+/// leaves room for that.
+FloorsAtGaps::Side sideOf(const GapStretch& gap, const GapFloors& cell) {
+  const MeshBorder& border = cell.memory.borders[gap.first];
+  const Index floor = cell.isOwn[border.face] != 0 ? border.face : cell.memory.borders[gap.second].face;
+  const std::vector<MeshVertex>& vertices = cell.memory.given->vertices;
+  const PlanSegment part =
+      partOf(planSegment(vertices[border.from], vertices[border.to]), gap.piece.frame, gap.piece.ends);
+  const int unscale = -cell.source.grid.scaleExponent();
+  const auto [lowX, highX] = std::minmax(part.fromX, part.toX);
+  const auto [lowY, highY] = std::minmax(part.fromY, part.toY);
+  return {cell.numberOf(floor),
+          {std::ldexp(lowX, unscale), std::ldexp(lowY, unscale)},
+          {std::ldexp(highX, unscale), std::ldexp(highY, unscale)}};
+}
+
+/// Own floors to whose borders gaps lead, directly or over steps.
+FloorsAtGaps floorsAtGaps(const GapFloors& cell, const LinkRows& changed) {
+  FloorsAtGaps result;
+  DisjointSets sets = joinFloors(cell, changed);
+  const std::vector<MeshBorder>& borders = cell.memory.borders;
+  std::vector<char> isAtGap(cell.isOwn.size(), 0);
+  std::vector<Index> firstOwn(cell.isOwn.size(), -1);  // by set
+  for (const MeshBorder& border : borders)
+    if (changed.leadTo(border.edge)) isAtGap[border.face] = 1;
+  for (std::size_t f = 0; f < isAtGap.size(); ++f) {
+    if (isAtGap[f] == 0 || cell.isOwn[f] == 0) continue;
+    if (Index& first = firstOwn[sets.find(static_cast<Index>(f))]; first < 0) first = static_cast<Index>(f);
+    result.floors.push_back(cell.numberOf(static_cast<Index>(f)));
+  }
+  for (std::size_t f = 0; f < isAtGap.size(); ++f) {
+    const Index face = static_cast<Index>(f), first = firstOwn[sets.find(face)];
+    if (isAtGap[f] != 0 && first >= 0 && first != face)
+      result.joined.push_back({cell.numberOf(first), cell.numberOf(face)});
+  }
+  const int unscale = -cell.source.grid.scaleExponent();
+  for (const GapStretch& gap : cell.memory.found.gaps) {
+    const Index first = borders[gap.first].face, second = borders[gap.second].face;
+    if (cell.isOwn[first] == 0 && cell.isOwn[second] == 0) continue;
+    result.sides.push_back(sideOf(gap, cell));
+    if (gap.piece.corner)
+      result.corners.push_back({result.sides.back().floor, std::ldexp(gap.piece.corner->x, unscale),
+                                std::ldexp(gap.piece.corner->y, unscale)});
+  }
+  return result;
+}
+
 /// The triangles at an edge, in one direction.
 struct LinkSide {
   Index firstFace = -1;
@@ -140,27 +215,19 @@ std::optional<LinkedCell> withSteps(const StatePtr& state, const std::vector<std
   LinkedCell cell{applyStepToChosen(state, step.values[0], step.values[1], &isSeen, hasAllGaps, recall, context).state,
                   isOwn};
   const StepMemory& memory = *cell.state->stepMemory;
-  std::unordered_set<Index> ownEdges, gapEdges;
+  std::unordered_set<Index> ownEdges;
   for (const MeshBorder& border : memory.borders)
     if (isOwn[border.face] != 0) ownEdges.insert(border.edge);
   if (!LinkRows(*cell.state->kernel, memory, ownEdges).areShorterThan(reach, context)) return std::nullopt;
   if (hasAllGaps || memory.found.gaps.empty()) return cell;
-  const SourceMesh& source = state->kernel->mesh();
-  const int unscale = -source.grid.scaleExponent();
-  for (const GapStretch& gap : memory.found.gaps) {
-    const MeshBorder &first = memory.borders[gap.first], &second = memory.borders[gap.second];
-    gapEdges.insert({first.edge, second.edge});
-    if (gap.piece.corner && (isOwn[first.face] != 0 || isOwn[second.face] != 0))
-      cell.atGaps.corners.push_back(
-          {std::ldexp(gap.piece.corner->x, unscale), std::ldexp(gap.piece.corner->y, unscale)});
-  }
+  std::unordered_set<Index> gapEdges;
+  for (const GapStretch& gap : memory.found.gaps)
+    gapEdges.insert({memory.borders[gap.first].edge, memory.borders[gap.second].edge});
   LinkRows changed(*cell.state->kernel, memory, gapEdges);
   changed.areShorterThan(std::numeric_limits<int>::max(), context);
   for (const MeshBorder& border : memory.borders)
-    if (cell.isOwn[border.face] != 0 && changed.leadTo(border.edge)) {
-      cell.isOwn[border.face] = 0;
-      cell.atGaps.floors.push_back(numbers[source.inputTriangles[border.face]]);
-    }
+    if (changed.leadTo(border.edge)) cell.isOwn[border.face] = 0;
+  cell.atGaps = floorsAtGaps(GapFloors{state->kernel->mesh(), memory, numbers, isOwn}, changed);
   return cell;
 }
 

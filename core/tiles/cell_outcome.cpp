@@ -9,7 +9,29 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kLeastPiece = 3, kLeastOutcome = 4;
+constexpr std::size_t kLeastPiece = 3, kLeastOutcome = 6;
+
+FloorsAtGaps readFloors(ByteReader& in) {
+  FloorsAtGaps read;
+  const auto number = [&in] { return static_cast<std::uint32_t>(in.number()); };
+  read.floors.resize(in.count(1));
+  for (std::uint32_t& floor : read.floors) floor = number();
+  read.joined.resize(in.count(2));
+  for (auto& pair : read.joined)
+    for (std::uint32_t& floor : pair) floor = number();
+  read.corners.resize(in.count(1 + 2 * sizeof(double)));
+  for (FloorsAtGaps::Corner& corner : read.corners) {
+    corner.floor = number();
+    for (double* x : {&corner.x, &corner.y}) *x = in.real();
+  }
+  read.sides.resize(in.count(1 + 4 * sizeof(double)));
+  for (FloorsAtGaps::Side& side : read.sides) {
+    side.floor = number();
+    for (auto* place : {&side.lower, &side.upper})
+      for (double& x : *place) x = in.real();
+  }
+  return read;
+}
 
 CellOutcome readOutcome(ByteReader& in) {
   CellOutcome outcome;
@@ -20,14 +42,27 @@ CellOutcome readOutcome(ByteReader& in) {
     piece.range.last = in.number();
     piece.written = in.text();
   }
-  outcome.atGaps.floors.resize(in.count(1));
-  for (std::uint32_t& floor : outcome.atGaps.floors) floor = static_cast<std::uint32_t>(in.number());
-  outcome.atGaps.corners.resize(in.count(2 * sizeof(double)));
-  for (auto& [x, y] : outcome.atGaps.corners) {
-    x = in.real();
-    y = in.real();
-  }
+  outcome.atGaps = readFloors(in);
   return outcome;
+}
+
+void write(const FloorsAtGaps& floors, ByteWriter& out) {
+  out.number(floors.floors.size());
+  for (const std::uint32_t floor : floors.floors) out.number(floor);
+  out.number(floors.joined.size());
+  for (const auto& pair : floors.joined)
+    for (const std::uint32_t floor : pair) out.number(floor);
+  out.number(floors.corners.size());
+  for (const FloorsAtGaps::Corner& corner : floors.corners) {
+    out.number(corner.floor);
+    for (const double x : {corner.x, corner.y}) out.real(x);
+  }
+  out.number(floors.sides.size());
+  for (const FloorsAtGaps::Side& side : floors.sides) {
+    out.number(side.floor);
+    for (const auto& place : {side.lower, side.upper})
+      for (const double x : place) out.real(x);
+  }
 }
 
 }  // namespace
@@ -54,13 +89,7 @@ std::string encodeOutcomes(const std::vector<CellOutcome>& outcomes, const CellC
       out.number(piece.range.last);
       out.text(piece.written);
     }
-    out.number(outcome.atGaps.floors.size());
-    for (const std::uint32_t floor : outcome.atGaps.floors) out.number(floor);
-    out.number(outcome.atGaps.corners.size());
-    for (const auto& [x, y] : outcome.atGaps.corners) {
-      out.real(x);
-      out.real(y);
-    }
+    write(outcome.atGaps, out);
   }
   return std::move(out.bytes);
 }

@@ -105,6 +105,7 @@ void CellRunner::failTooLittle(std::uint64_t bytes) const {
 }
 
 void CellRunner::failTooLittle(const OwnFloors& own) const {
+  if (neededForTile_ != 0) failTooLittle(neededForTile_);
   failTooLittle(needed(collector_.measure(own, context_, reach_)) - fixed_);
 }
 
@@ -140,9 +141,9 @@ std::optional<MadeTile> CellRunner::tryMake(const OwnFloors& own, const CellColl
 }
 
 // Empty when the cell, or its tile, does not fit.
-std::optional<MadeTile> CellRunner::makeWithin(const FaceRange& range) {
+std::optional<MadeTile> CellRunner::makeWithin(const OwnFloors& own) {
   neededForTile_ = 0;
-  std::optional<MadeTile> made = make({range}, withinMemory());
+  std::optional<MadeTile> made = make(own, withinMemory());
   if (!made) return std::nullopt;
   if (isExact()) neededForTile_ = kOfTileTriangle * made->tile.triangles.size();
   if (fixed_ + neededForTile_ > memory_) return std::nullopt;
@@ -154,7 +155,7 @@ void CellRunner::run(const FaceRange& range, const Visit& visit) {
   while (!left.empty()) {
     const FaceRange piece = left.back();
     left.pop_back();
-    if (std::optional<MadeTile> made = makeWithin(piece)) {
+    if (std::optional<MadeTile> made = makeWithin({piece})) {
       ++counts_.cells;
       visit(piece, *made);
       made.reset();
@@ -162,20 +163,17 @@ void CellRunner::run(const FaceRange& range, const Visit& visit) {
       continue;
     }
     ++counts_.refused;
-    if (piece.size() == 1 && neededForTile_ != 0) failTooLittle(neededForTile_);
-    if (piece.size() == 1) failTooLittle({piece});
+    if (piece.size() == 1) failTooLittle(OwnFloors{piece});
     const std::uint64_t middle = piece.first + piece.size() / 2;
     left.push_back({middle, piece.last});
     left.push_back({piece.first, middle});
   }
 }
 
-MadeTile CellRunner::runListed(const FloorsAtGaps& atGaps) {
-  const OwnFloors own{{}, &atGaps};
-  std::optional<MadeTile> made = make(own, withinMemory());
-  if (!made) failTooLittle(own);
-  ++counts_.cells;
-  return std::move(*made);
+std::optional<MadeTile> CellRunner::runListed(const ListedFloors& floors) {
+  std::optional<MadeTile> made = makeWithin({{}, &floors});
+  ++(made ? counts_.cells : counts_.refused);
+  return made;
 }
 
 void CellRunner::runAgain(const OwnFloors& own, const RegionSums::Inspect& inspect) {

@@ -48,8 +48,8 @@ class CellRunner {
   using Visit = std::function<void(const FaceRange& range, MadeTile& made)>;
   /// Visits what is left of a cell: in pieces, in their order, where it does not fit.
   void run(const FaceRange& range, const Visit& visit);
-  /// The cell of what gaps change.
-  MadeTile runListed(const FloorsAtGaps& atGaps);
+  /// Runs a cell of what gaps change. Empty where it does not fit.
+  std::optional<MadeTile> runListed(const ListedFloors& floors);
   /// Runs a cell that ran before, to inspect it exactly.
   void runAgain(const OwnFloors& own, const RegionSums::Inspect& inspect);
 
@@ -60,6 +60,8 @@ class CellRunner {
   /// Throws InputError: so many bytes besides those that are charged are needed. It names the least memory in which
   /// they and those that are expected have room.
   [[noreturn]] void failTooLittle(std::uint64_t bytes) const;
+  /// The same for the last cell, which did not fit.
+  [[noreturn]] void failTooLittle(const OwnFloors& own) const;
 
  private:
   /// True when tiles keep the geometry that filters over their borders need.
@@ -69,9 +71,8 @@ class CellRunner {
                                const RegionSums::Inspect& inspect = {});
   std::optional<MadeTile> tryMake(const OwnFloors& own, const CellCollector::Fits& fits,
                                   const RegionSums::Inspect& inspect, bool& fit);
-  std::optional<MadeTile> makeWithin(const FaceRange& range);
+  std::optional<MadeTile> makeWithin(const OwnFloors& own);
   [[nodiscard]] CellCollector::Fits withinMemory() const;
-  [[noreturn]] void failTooLittle(const OwnFloors& own) const;
 
   const PackedEnvironment& environment_;
   const CellSteps& steps_;

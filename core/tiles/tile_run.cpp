@@ -11,6 +11,7 @@
 #include "core/base/process_usage.hpp"
 #include "core/environment/area_on_grid.hpp"
 #include "core/tiles/cell_runner.hpp"
+#include "core/tiles/gap_groups.hpp"
 #include "core/tiles/tile_folder.hpp"
 #include "core/tiles/tile_regions.hpp"
 #include "core/tiles/tile_stage.hpp"
@@ -79,6 +80,12 @@ class TileRun {
   }
 
  private:
+  /// Groups of floors at gaps from `first` up to, not including, `last`.
+  struct GroupRange {
+    std::size_t first = 0, last = 0;
+    [[nodiscard]] std::size_t size() const { return last - first; }
+  };
+
   // Faces of the slices up to that one.
   [[nodiscard]] std::uint64_t endOfSlice(std::uint64_t number) const {
     const std::uint64_t faces = environment_.faceCount(), slices = options_.slice.count;
@@ -153,16 +160,11 @@ class TileRun {
   // from `begin` up to `end`, as if all ranks were as fast as this one.
   void runPlan(const std::vector<FaceRange>& plan, std::size_t begin, std::size_t end) {
     std::vector<CellOutcome> own;
-    std::uint64_t faces = 0;
-    GapsSoFar gaps;
     ranks_.beginTasks(plan.size());
     while (const std::optional<std::size_t> cell = ranks_.nextTask(context_)) {
       const std::size_t done = std::min(own.size() * static_cast<std::size_t>(ranks_.size()), plan.size() - 1);
       context_.beginStep(begin + (end - begin) * done / plan.size(), "cell " + std::to_string(*cell + 1));
       own.push_back(runCell(*cell, plan[*cell], begin));
-      faces += plan[*cell].size();
-      gaps.floors += own.back().atGaps.floors.size();
-      requireGaps(own, faces, gaps);
     }
     const std::vector<std::string> all = ranks_.gather(encodeOutcomes(own, {}), context_);
     own.clear();
@@ -170,34 +172,6 @@ class TileRun {
     for (const std::string& part : all) decodeOutcomes(part, own, none);
     std::sort(own.begin(), own.end(), [](const CellOutcome& a, const CellOutcome& b) { return a.cell < b.cell; });
     for (const CellOutcome& outcome : own) takeCell(outcome);
-  }
-
-  /// The floors at gaps of the cells that ran.
-  struct GapsSoFar {
-    std::uint64_t floors = 0;
-    std::uint64_t measured = 0;                       ///< number of floors when they were measured last
-    std::uint64_t bytesOfFloor = kBytesOfFloorAtGap;  ///< by that measure
-  };
-
-  // Floors at gaps are one cell behind all others. A run in whose memory those of some cells do not fit ends at once,
-  // and names what those of all cells are expected to take.
-  void requireGaps(const std::vector<CellOutcome>& own, std::uint64_t faces, GapsSoFar& gaps) {
-    constexpr double kLikely = 0.9, kRoom = 1.25;
-    const auto likely = static_cast<double>(gaps.floors * gaps.bytesOfFloor);
-    if (likely < kLikely * static_cast<double>(runner_.free()) || gaps.floors < gaps.measured + gaps.measured / 8)
-      return;
-    FloorsAtGaps all;
-    for (const CellOutcome& outcome : own) all.add(outcome.atGaps);
-    all.sort();
-    const std::uint64_t bytes = runner_.measure({{}, &all}) + all.bytes();
-    gaps.measured = gaps.floors;
-    gaps.bytesOfFloor = bytes / gaps.floors + 1;
-    if (bytes <= runner_.free()) return;
-    const double share = static_cast<double>(faces) /
-                         static_cast<double>(endOfSlice(options_.slice.number) - endOfSlice(options_.slice.number - 1));
-    runner_.expect(static_cast<std::uint64_t>(share < 1 ? kRoom * static_cast<double>(bytes) / share
-                                                        : static_cast<double>(bytes)));
-    runner_.failTooLittle(bytes);
   }
 
   CellOutcome runCell(std::size_t cell, const FaceRange& range, std::size_t round) {
@@ -307,18 +281,37 @@ class TileRun {
     }
   }
 
-  // Runs the faces that gaps change, of all cells.
+  // Runs the floors that gaps change, of all cells: groups of them together, as many as fit.
   void runGaps() {
     if (atGaps_.floors.empty()) return;
-    atGaps_.sort();
-    runner_.charge(atGaps_.bytes());
     context_.beginStep(kTileRunSteps - 1, "gaps");
-    const MadeTile made = runner_.runListed(atGaps_);
-    if (!made.tile.triangles.empty()) {
-      store_.add(made.tile);
-      hasListed_ = true;
+    if (const std::uint64_t bytes = 2 * atGaps_.bytes(); bytes > runner_.free()) runner_.failTooLittle(bytes);
+    groups_ = GapGroups(std::exchange(atGaps_, {}), steps_.step->values[1], Poll(context_));
+    runner_.charge(groups_.bytes());
+    std::vector<GroupRange> left{{0, groups_.count()}};
+    while (!left.empty()) {
+      const GroupRange range = left.back();
+      left.pop_back();
+      if (runGroups(range)) continue;
+      if (range.size() == 1) runner_.failTooLittle(OwnFloors{{}, &listed_});
+      const std::size_t middle = groups_.middleOf(range.first, range.last);
+      left.push_back({middle, range.last});
+      left.push_back({range.first, middle});
+    }
+  }
+
+  // False where they do not fit.
+  bool runGroups(const GroupRange& range) {
+    listed_ = groups_.list(range.first, range.last);
+    if (range.size() > 1 && listed_.floors.size() > options_.mostFaces) return false;
+    const std::optional<MadeTile> made = runner_.runListed(listed_);
+    if (!made) return false;
+    if (!made->tile.triangles.empty()) {
+      store_.add(made->tile);
+      ofGroups_.push_back(range);
     }
     returnFreedMemory();
+    return true;
   }
 
   // Unites regions over the borders of tiles. Returns one flag per region of each tile: it stays.
@@ -355,10 +348,13 @@ class TileRun {
     });
   }
 
-  // The tiles of the cells, and the one of everything that gaps change.
-  [[nodiscard]] std::size_t tileCount() const { return cells_.size() + (hasListed_ ? 1 : 0); }
-  [[nodiscard]] OwnFloors ownOf(std::size_t tile) const {
-    return tile < cells_.size() ? OwnFloors{cells_[tile]} : OwnFloors{{}, &atGaps_};
+  // Those of the cells, and those of what gaps change.
+  [[nodiscard]] std::size_t tileCount() const { return cells_.size() + ofGroups_.size(); }
+  OwnFloors ownOf(std::size_t tile) {
+    if (tile < cells_.size()) return {cells_[tile]};
+    const GroupRange& range = ofGroups_[tile - cells_.size()];
+    listed_ = groups_.list(range.first, range.last);
+    return {{}, &listed_};
   }
 
   void tellStatistics(const Stopwatch& watch) {
@@ -373,8 +369,6 @@ class TileRun {
     }
   }
 
-  static constexpr std::uint64_t kBytesOfFloorAtGap = 40000;  ///< more than in a city; measured where it matters
-
   const PackedEnvironment& environment_;
   CellSteps steps_;
   TileRunOptions options_;
@@ -385,9 +379,11 @@ class TileRun {
   Grid grid_;
   FloorsAtGaps atGaps_;
   bool isAgain_ = false;          ///< cells have a tile each already
-  bool hasListed_ = false;        ///< true when a tile of the faces that gaps change follows those of the cells
-  std::vector<FaceRange> cells_;  ///< one range per tile
-  std::uint64_t takenOver_ = 0;   ///< cells of an earlier run
+  std::vector<FaceRange> cells_;  ///< one range per tile of a cell
+  GapGroups groups_;
+  std::vector<GroupRange> ofGroups_;  ///< one range per tile of what gaps change; these follow those of the cells
+  ListedFloors listed_;               ///< floors of the groups at work
+  std::uint64_t takenOver_ = 0;       ///< cells of an earlier run
   TileRunResult result_;
 };
 

@@ -229,9 +229,9 @@ void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, d
   cuts.list.push_back(cut);
 }
 
-// Plans cuts at the ends of all gaps, and at the places across from each vertex within a gap.
-bool GapLinker::planCuts(Cuts& cuts) {
-  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) {
+// The ends of the gaps, and what lies across from each vertex within one.
+bool GapLinker::planCuts(const Group& group, Cuts& cuts) {
+  for (const std::size_t gap : group.gaps) {
     GapStretch& stretch = gaps_[gap];
     context_.checkCancelled();
     if (cuts.list.size() > cuts.most) return false;
@@ -374,9 +374,9 @@ bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) {
   return piece.ends[1] - piece.ends[0] > GapConditions::kShort;
 }
 
-bool GapLinker::proveAll() {
+bool GapLinker::prove(const Group& group) {
   bool isChanged = false;
-  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) {
+  for (const std::size_t gap : group.gaps) {
     GapStretch& stretch = gaps_[gap];
     context_.checkCancelled();
     if (stretch.isDropped || isSettled(gap)) continue;
@@ -392,20 +392,50 @@ bool GapLinker::proveAll() {
   return isChanged;
 }
 
-void GapLinker::split(const Spread& spread) {
-  std::size_t most = SIZE_MAX, open = 0;
-  for (std::size_t gap = 0; gap < gaps_.size(); ++gap) open += isSettled(gap) ? 0 : 1;
-  bool isDone = false;
-  for (int round = 0; round < kRounds && !isDone; ++round) {
-    context_.checkCancelled();
-    Cuts cuts{most, {}, {}};
-    if (!planCuts(cuts)) break;
-    isDone = cuts.list.empty() && !proveAll();
-    makeCuts(cuts.list, spread);
-    if (round == 0) most = cuts.list.size() + kCutsOfGap * open + kFewCuts;
+// A group has its settled gaps as well, as they may get vertices.
+std::vector<GapLinker::Group> GapLinker::openGroups(DisjointSets& rows) const {
+  const auto edgeOf = [this](Index border) { return splits_.border(border).edge; };
+  for (const GapStretch& gap : gaps_) rows.unite(edgeOf(gap.first), edgeOf(gap.second));
+  std::vector<Group> groups;
+  std::unordered_map<Index, std::size_t> numbers;  // by their rows
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap)
+    if (!isSettled(gap)) {
+      const auto [number, isNew] = numbers.try_emplace(rows.find(edgeOf(gaps_[gap].first)), groups.size());
+      if (isNew) groups.emplace_back();
+      ++groups[number->second].open;
+    }
+  for (std::size_t gap = 0; gap < gaps_.size(); ++gap)
+    if (const auto number = numbers.find(rows.find(edgeOf(gaps_[gap].first))); number != numbers.end())
+      groups[number->second].gaps.push_back(gap);
+  return groups;
+}
+
+void GapLinker::goOn(Group& group, Cuts& all) {
+  Cuts cuts{group.mostCuts, {}, {}};
+  if (!planCuts(group, cuts)) {
+    group.isOpen = false;
+    return;
   }
-  // An end that is still drawn in has no vertices there, so its gap is dropped.
-  while (!isDone && proveAll()) context_.checkCancelled();
+  if (cuts.list.empty() && !prove(group)) {
+    group.isDone = true;
+    group.isOpen = false;
+  }
+  if (group.mostCuts == SIZE_MAX) group.mostCuts = cuts.list.size() + kCutsOfGap * group.open + kFewCuts;
+  std::move(cuts.list.begin(), cuts.list.end(), std::back_inserter(all.list));
+}
+
+void GapLinker::split(DisjointSets& rows, const Spread& spread) {
+  std::vector<Group> groups = openGroups(rows);
+  for (int round = 0; round < kRounds; ++round) {
+    context_.checkCancelled();
+    Cuts cuts;
+    for (Group& group : groups)
+      if (group.isOpen) goOn(group, cuts);
+    makeCuts(cuts.list, spread);
+  }
+  // An end that is still drawn in has no vertices there: such a gap is dropped.
+  for (const Group& group : groups)
+    while (!group.isDone && prove(group)) context_.checkCancelled();
   for (std::size_t gap = 0; gap < gaps_.size(); ++gap) known_[gap].chains = chainLengths(gaps_[gap]);
 }
 

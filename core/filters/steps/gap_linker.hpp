@@ -3,12 +3,14 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
 #include <unordered_map>
 #include <vector>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/filters/steps/border_splits.hpp"
 #include "core/filters/steps/gap_conditions.hpp"
 #include "core/filters/steps/gap_ways.hpp"
@@ -55,10 +57,11 @@ class GapLinker {
   [[nodiscard]] bool isEmpty() const { return gaps_.empty(); }
   /// A callback that gets the edges with new vertices.
   using Spread = std::function<void(const std::vector<Index>& changed)>;
-  /// Adds vertices to the borders until those of each gap lie across from each other. When more gaps are added, the
-  /// next call continues with these, and with everything that their vertices change.
-  void split(const Spread& spread);
-  /// The ways of the links that split() made, in the order of the gaps.
+  /// Puts vertices on the borders until those of each gap lie across from each other. After more gaps were added, it
+  /// goes on with these, and with what their vertices change. `rows` has the edges that spread() joins as one set; gaps
+  /// are added to it. Gaps of different sets decide nothing about each other.
+  void split(DisjointSets& rows, const Spread& spread);
+  /// Where split() led to links, in the order of the gaps.
   [[nodiscard]] std::vector<GapWay> ways();
   /// Both sides of the parts of added gaps that got no link.
   [[nodiscard]] std::vector<PlanSegment> lostParts();
@@ -119,12 +122,24 @@ class GapLinker {
   [[nodiscard]] static std::optional<std::size_t> findAt(const Chain& chain, const GapFrame& frame, double along);
   /// The vertex of a border at a place along a frame; null when there is none.
   [[nodiscard]] const MeshVertex* vertexAt(Index border, const GapFrame& frame, double along);
-  /// Returns false when the cuts exceed the limit.
-  [[nodiscard]] bool planCuts(Cuts& cuts);
+  /// Gaps whose borders get vertices together.
+  struct Group {
+    std::vector<std::size_t> gaps;
+    std::size_t open = 0;             ///< number of gaps that are not settled
+    std::size_t mostCuts = SIZE_MAX;  ///< in one round
+    bool isOpen = true;               ///< rounds go on
+    bool isDone = false;              ///< all vertices are there
+  };
+  /// The groups with gaps that are not settled.
+  [[nodiscard]] std::vector<Group> openGroups(DisjointSets& rows) const;
+  /// Plans a round of a group.
+  void goOn(Group& group, Cuts& cuts);
+  /// False when they would be more than allowed.
+  [[nodiscard]] bool planCuts(const Group& group, Cuts& cuts);
   void planCut(GapStretch& stretch, Index border, const Chain& chain, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
-  /// Proves all gaps with their present vertices, and draws ends in. Returns false when no end was drawn in.
-  bool proveAll();
+  /// Proves of the gaps of a group what the cuts made of them; draws ends in. False when none was.
+  bool prove(const Group& group);
   [[nodiscard]] Proof prove(const GapStretch& stretch);
   /// Draws in the end at which the proof of a gap failed. Returns false when nothing of the gap is left.
   [[nodiscard]] bool drawIn(GapStretch& stretch, const Proof& proof);

@@ -3,18 +3,21 @@
 
 namespace footfall::detail {
 
+PlanSegment partOf(const PlanSegment& border, const GapFrame& frame, const std::array<double, 2>& ends) {
+  const double from = frame.along(border.fromX, border.fromY), to = frame.along(border.toX, border.toY);
+  const auto at = [&](double along) { return std::clamp((along - from) / (to - from), 0.0, 1.0); };
+  const double x = border.toX - border.fromX, y = border.toY - border.fromY;
+  const double low = at(ends[0]), high = at(ends[1]);
+  return {border.fromX + low * x, border.fromY + low * y, border.fromX + high * x, border.fromY + high * y};
+}
+
 GapWay gapWay(const BorderSplits& splits, Index first, Index second, const GapFrame& frame,
               const std::array<double, 2>& ends) {
-  const auto partOf = [&](Index number) {
+  const auto partAlong = [&](Index number) {
     const MeshBorder& border = splits.border(number);
-    const PlanSegment whole = planSegment(splits.vertex(border.from), splits.vertex(border.to));
-    const double from = frame.along(whole.fromX, whole.fromY), to = frame.along(whole.toX, whole.toY);
-    const auto at = [&](double along) { return std::clamp((along - from) / (to - from), 0.0, 1.0); };
-    const double x = whole.toX - whole.fromX, y = whole.toY - whole.fromY;
-    const double low = at(ends[0]), high = at(ends[1]);
-    return PlanSegment{whole.fromX + low * x, whole.fromY + low * y, whole.fromX + high * x, whole.fromY + high * y};
+    return partOf(planSegment(splits.vertex(border.from), splits.vertex(border.to)), frame, ends);
   };
-  return {first, second, {partOf(first), partOf(second)}};
+  return {first, second, {partAlong(first), partAlong(second)}};
 }
 
 }  // namespace footfall::detail

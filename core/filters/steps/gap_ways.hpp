@@ -23,7 +23,10 @@ struct PlanSegment {
 };
 inline PlanSegment planSegment(const MeshVertex& a, const MeshVertex& b) { return {a.x, a.y, b.x, b.y}; }
 
-/// Two borders, and the part of each between which an agent steps.
+/// The part of a border along an interval of a frame.
+PlanSegment partOf(const PlanSegment& border, const GapFrame& frame, const std::array<double, 2>& ends);
+
+/// Two borders, and the part of each from which one gets to the other.
 struct GapWay {
   Index first = -1, second = -1;
   std::array<PlanSegment, 2> parts;

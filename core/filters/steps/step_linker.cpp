@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
@@ -305,7 +306,9 @@ void StepLinker::splitAtSteps() {
 // Each round adds gaps that were left out, and adds none twice, so this ends. Gaps that are still needed after the last
 // round count as undecided.
 void StepLinker::splitAtGaps() {
-  const auto split = [&] { gaps_->split([&](const std::vector<Index>& changed) { spreadSplits(changed); }); };
+  DisjointSets rows(static_cast<std::size_t>(splits_.topology().edgeCount()));
+  for (const Stretch& s : stretches_) rows.unite(splits_.border(s.first).edge, splits_.border(s.second).edge);
+  const auto split = [&] { gaps_->split(rows, [&](const std::vector<Index>& changed) { spreadSplits(changed); }); };
   split();
   for (int round = 0; needless_; ++round) {
     std::vector<GapStretch> needed = needless_->takeNeeded(
