@@ -1480,6 +1480,10 @@
         <translation>%1 Threads liegen außerhalb des Bereichs; geben Sie 1 bis %2 an, oder 0 für so viele, wie der Rechner hat</translation>
     </message>
     <message>
+        <source>coordinates of very different sizes need %1 bits together, and runs take many times longer; put them on a grid when the file is read, or check the largest and the smallest ones</source>
+        <translation>Koordinaten sehr verschiedener Größe brauchen zusammen %1 Bit, und Läufe dauern um ein Vielfaches länger; legen Sie sie beim Lesen der Datei auf ein Raster, oder prüfen Sie die größten und die kleinsten</translation>
+    </message>
+    <message>
         <source>there is no connected part %1, the last is %2; choose another one</source>
         <translation>es gibt keinen zusammenhängenden Teil %1, der letzte ist %2; wählen Sie einen anderen</translation>
     </message>

@@ -11,6 +11,7 @@
 
 #include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
+#include "core/exact/grid.hpp"
 #include "core/inspect/scale_evidence.hpp"
 #include "core/inspect/upright.hpp"
 #include "footfall/filter.hpp"
@@ -27,6 +28,7 @@ constexpr double kNearSlope = 0.05;   // degrees beyond the limit that roundings
 constexpr double kSameSlope = 1e-12;  // of angles that are computed in doubles
 constexpr double kMuch = 0.01;        // of all that faces up
 constexpr std::size_t kFewest = 6;    // triangles: three risers are stairs
+constexpr int kMostBits = 128;        // of coordinates; levels with rounding errors about zero have up to 120
 
 /// The text of a note, empty where there is none, and its change.
 struct Advice {
@@ -198,6 +200,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
   measures.metresPerUnit = environment.metresPerUnit;
   measures.scaleGuessed = environment.scaleGuessed;
   Vec3 low, high;
+  Grid grid;
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
     if (t % kPollEvery == 0) poll();
     std::array<Vec3, 3> p;
@@ -206,6 +209,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
     bool isLevel = false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 &a = p[k], &b = p[(k + 1) % 3];
+      for (const double x : {a.x, a.y, a.z}) grid.include(x);
       low = {std::min(low.x, a.x), std::min(low.y, a.y), std::min(low.z, a.z)};
       high = {std::max(high.x, a.x), std::max(high.y, a.y), std::max(high.z, a.z)};
       isLevel = isLevel || a.z == b.z;
@@ -219,6 +223,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
   std::ranges::sort(measures.wallHeights);
   measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
   measures.doorways = findDoorways(environment, poll);
+  measures.bits = grid.width();
   return measures;
 }
 
@@ -264,6 +269,11 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
                 std::nullopt});
     }
   }
+  if (level.bits > kMostBits)
+    notes.push_back({std::nullopt, Text(FOOTFALL_TEXT("coordinates of very different sizes need %1 bits together, and "
+                                                      "runs take many times longer; put them on a grid when the file "
+                                                      "is read, or check the largest and the smallest ones"),
+                                        Text::count(static_cast<std::uint64_t>(level.bits)))});
   return notes;
 }
 

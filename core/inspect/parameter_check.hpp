@@ -27,6 +27,7 @@ struct LevelMeasures {
   };
   std::vector<Ramp> ramps;  ///< ascending by slope
   double upwardArea = 0;    ///< of all triangles that face up
+  int bits = 0;             ///< of the largest coordinate, in units of the last digit of all coordinates
 };
 
 /// Measures an environment, rounded, in time proportional to its triangles.
@@ -54,6 +55,7 @@ struct ParameterNote {
 /// - a level whose longest side is less than ten times the agents' height, unless findScale() finds that its steps,
 ///   doorways or storeys are of the size of people, or more than 20 km, with a scale by which it would not be;
 /// - a radius that no doorway under which the agents fit is wide enough for, or not even the level;
+/// - coordinates with so many bits that exact arithmetic is many times slower;
 /// - and a guessed scale that makes the level larger than levels are, or smaller.
 std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pipeline& pipeline);
 

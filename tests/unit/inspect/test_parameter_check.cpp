@@ -262,6 +262,14 @@ class TestParameterCheck : public QObject {
     QCOMPARE(notesOf(*level, "SlopeFilter 45\n"), QString());
   }
 
+  void coordinatesOfManyBits() {
+    const auto notesWith = [](double x) {
+      return notesOf(*Soup().floor(0, 0, 30, 20, 0).floor(x, 0, 30, 20, 3).environment(), "SlopeFilter 45\n");
+    };
+    QCOMPARE(notesWith(0x1p-50 / 3), QString());  // a rounding error about zero
+    QVERIFY(notesWith(0x1p-80 / 3).startsWith("scale: coordinates of very different sizes need 139 bits together"));
+  }
+
   void cancels() {
     RunContext context;
     context.cancel();
