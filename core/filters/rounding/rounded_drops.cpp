@@ -5,10 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "core/base/box_tree.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/mesh/adjacency.hpp"
 
@@ -22,7 +24,7 @@ Vec3 asVector(const Place& p) { return {std::get<0>(p), std::get<1>(p), std::get
 /// Sides and triangles of a product by the places of their corners.
 class ProductPlaces {
  public:
-  explicit ProductPlaces(const NavigationMesh& mesh) : mesh_(mesh) {
+  ProductPlaces(const NavigationMesh& mesh, const Poll& poll) : mesh_(mesh) {
     const TriangleCorners corners(mesh.triangles);
     const Adjacency topology = findEdges(corners, mesh.vertices.size());
     for (Index e = 0; e < topology.edgeCount(); ++e) {
@@ -32,7 +34,13 @@ class ProductPlaces {
           {placeOf(mesh.vertices[corners.beginOf(sides[0])]), placeOf(mesh.vertices[corners.endOf(sides[0])])},
           sides[0]);
     }
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) ofSource_[mesh.sourceTriangles[t]].push_back(t);
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      std::vector<std::uint32_t>& own = ofSource_[mesh.sourceTriangles[t]].triangles;
+      if (own.size() % kPolled == kPolled - 1) poll();
+      own.push_back(t);
+    }
+    for (auto& [source, pieces] : ofSource_)
+      if (pieces.triangles.size() > kManyPieces) buildTree(pieces, poll);
   }
 
   [[nodiscard]] std::optional<Index> side(const Place& from, const Place& to) const {
@@ -44,26 +52,64 @@ class ProductPlaces {
   [[nodiscard]] std::optional<std::uint32_t> triangle(std::uint32_t source, const Vec3& place) const {
     const auto found = ofSource_.find(source);
     if (found == ofSource_.end()) return std::nullopt;
-    std::optional<std::uint32_t> best;
-    double most = -std::numeric_limits<double>::infinity();
-    for (const std::uint32_t t : found->second) {
-      double inside = std::numeric_limits<double>::infinity();
-      for (int k = 0; k < 3; ++k) {
-        const Vec3 &a = mesh_.vertices[mesh_.triangles[t][k]], &b = mesh_.vertices[mesh_.triangles[t][next(k)]];
-        const double dx = b.x - a.x, dy = b.y - a.y;
-        inside = std::min(inside, (dx * (place.y - a.y) - dy * (place.x - a.x)) / std::hypot(dx, dy));
-      }
-      if (!(inside > most)) continue;
-      most = inside;
-      best = t;
-    }
-    return best;
+    const Pieces& pieces = found->second;
+    Best best;
+    pieces.tree.visitOverlapping({{place.x, place.y}, {place.x, place.y}}, [&](Index i) {
+      const std::uint32_t t = pieces.triangles[static_cast<std::size_t>(i)];
+      best.take(t, insideOf(t, place));
+    });
+    if (best.inside > 0) return best.triangle;  // a triangle that holds the place touches it with its box
+    for (const std::uint32_t t : pieces.triangles) best.take(t, insideOf(t, place));
+    return best.triangle;
   }
 
  private:
+  using Tree = BoxTree<2>;
+  /// What is left of a source triangle.
+  struct Pieces {
+    std::vector<std::uint32_t> triangles;
+    Tree tree;  ///< over places in the list; empty where there are few
+  };
+  struct Best {
+    std::optional<std::uint32_t> triangle;
+    double inside = -std::numeric_limits<double>::infinity();
+
+    void take(std::uint32_t other, double othersInside) {
+      if (!(othersInside > inside) && !(othersInside == inside && triangle && other < *triangle)) return;
+      triangle = other;
+      inside = othersInside;
+    }
+  };
+  static constexpr std::size_t kManyPieces = 32, kPolled = 65536;
+
+  void buildTree(Pieces& pieces, const Poll& poll) const {
+    std::vector<Index> all(pieces.triangles.size());
+    std::iota(all.begin(), all.end(), 0);
+    pieces.tree.build(
+        all,
+        [&](Index i) {
+          const auto& [a, b, c] = mesh_.triangles[pieces.triangles[static_cast<std::size_t>(i)]];
+          const Vec3 &p = mesh_.vertices[a], &q = mesh_.vertices[b], &r = mesh_.vertices[c];
+          return Tree::Bounds{{std::min({p.x, q.x, r.x}), std::min({p.y, q.y, r.y})},
+                              {std::max({p.x, q.x, r.x}), std::max({p.y, q.y, r.y})}};
+        },
+        poll);
+  }
+
+  /// The distance of a place from the nearest side of a triangle, or minus that from the farthest one beyond.
+  [[nodiscard]] double insideOf(std::uint32_t t, const Vec3& place) const {
+    double inside = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh_.vertices[mesh_.triangles[t][k]], &b = mesh_.vertices[mesh_.triangles[t][next(k)]];
+      const double dx = b.x - a.x, dy = b.y - a.y;
+      inside = std::min(inside, (dx * (place.y - a.y) - dy * (place.x - a.x)) / std::hypot(dx, dy));
+    }
+    return inside;
+  }
+
   const NavigationMesh& mesh_;
   std::map<std::pair<Place, Place>, Index> sides_;  ///< keyed by the border
-  std::map<std::uint32_t, std::vector<std::uint32_t>> ofSource_;
+  std::map<std::uint32_t, Pieces> ofSource_;
 };
 
 Vec3 unscaled(const std::array<double, 3>& p, int scale) {
@@ -79,7 +125,7 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
   const WalkableMesh& mesh = *state.mesh;
   if (mesh.drops.empty()) return result;
   const SourceMesh& source = state.kernel->mesh();
-  const ProductPlaces known(product);
+  const ProductPlaces known(product, poll);
   std::map<Place, Place> movedTo;
   for (auto it = moved.rbegin(); it != moved.rend(); ++it) {
     const auto later = movedTo.find(placeOf((*it)[1]));
@@ -91,7 +137,7 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
     return now == movedTo.end() ? place : now->second;
   };
   for (const MeshDrop& drop : mesh.drops) {
-    poll();  // finding the triangle of a landing takes as long as its face has triangles
+    poll();
     auto side = known.side(placeOf(places[drop.edge[0]]), placeOf(places[drop.edge[1]]));
     if (!side) side = known.side(placeNow(drop.edge[0]), placeNow(drop.edge[1]));
     if (!side) continue;
