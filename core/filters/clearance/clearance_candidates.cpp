@@ -112,9 +112,17 @@ void ClearanceCandidates::begin(Index face) {
 
 std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face) {
   begin(face);
-  search(box_);
+  if (!isTwin()) search(box_);
   findOpenSquares();
   return candidates_;
+}
+
+// Equal triangles follow each other. The one before this face takes all of it, if it is a floor.
+bool ClearanceCandidates::isTwin() {
+  if (face_ == 0 || mesh_.triangles[face_ - 1] != mesh_.triangles[face_]) return false;
+  consider(face_ - 1);
+  areKnownToCover_ = !candidates_.empty();
+  return areKnownToCover_;
 }
 
 std::span<const ClearanceCandidate> ClearanceCandidates::findWithin(Index face, const Box& box) {

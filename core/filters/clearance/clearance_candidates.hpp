@@ -80,6 +80,8 @@ class ClearanceCandidates {
 
  private:
   void begin(Index face);
+  /// True when the triangle before is equal and a floor; then it is the only candidate.
+  bool isTwin();
   /// Considers what overlaps the box, which is that of the face or, where `isPart`, less of it in the plan.
   void search(const Box& box, bool isPart = false);
   void sort();
