@@ -17,9 +17,10 @@
 // On a terrain, nearly no triangle needs to be looked up.
 //
 // Borders with thousands of vertices have needles, the boxes of which hold most of the others. Border sides are short
-// where there are many; so where there are many needles, they are looked up among boxes of parts of triangles, and only
-// triangles with a pair there as a whole. Beside a kerb, there is none. There, too, sheets that cover no place twice
-// are found first, by their outlines (cover_sweep.hpp): no pair of their own triangles is tested.
+// where there are many; so where there are many needles, the sides alone are looked up, among boxes of parts of
+// triangles, and the pairs that they find lead to all others over the links above. Each pair costs a few tests, however
+// many boxes touch each other. There, too, sheets that cover no place twice are found first, by their outlines
+// (cover_sweep.hpp): no pair of their own triangles is tested.
 #include "core/filters/layers/plan_overlaps.hpp"
 
 #include <algorithm>
@@ -32,8 +33,10 @@
 
 #include "core/base/box_tree.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/base/unfilled_array.hpp"
 #include "core/filters/layers/double_cover.hpp"
+#include "core/filters/layers/pair_set.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -104,6 +107,15 @@ class OverlapFinder {
   }
 
  private:
+  using Tree = BoxTree<2>;
+  struct Local {
+    MeshGeometry geometry;
+    std::vector<Pair> found;
+    std::vector<Index> hits;
+    std::vector<Tree::Bounds> bounds;  ///< of the triangles that are looked up together
+    std::size_t tested = 0;
+  };
+
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
   void findAmong(std::vector<Index> triangles) {
     if (countNeedles(triangles) >= kFewNeedles) {
@@ -113,9 +125,9 @@ class OverlapFinder {
     }
     std::vector<Index> border, other;
     for (const Index t : triangles) (isAtBorder(t) ? border : other).push_back(t);
+    triangles = {};
     if (parts_.empty()) {
       for (const Index t : border) round_[t] = 0;
-      triangles = {};
       others_ = treeOf(other);
       other = {};
       const std::size_t known = pairs_.size();
@@ -123,23 +135,57 @@ class OverlapFinder {
       spread(known, 1);
       return;
     }
-    others_ = treeOf(triangles);
-    // Triangles are processed in batches, so that few of thousands of floors above each other are done when there are
-    // too many pairs.
-    Index round = 0;
+    timesFound_ = kMostTimesFound;
+    // In batches, so that of thousands of floors above each other few are before there are too many pairs.
+    PairSet known;
     std::size_t batch = kFirstBatch;
     for (std::size_t begin = 0; begin < border.size() && !tooMany(); begin += batch, batch *= 2) {
-      std::vector<Index> queries;
-      for (const Index t : withPairsAtBorder({border.data() + begin, std::min(batch, border.size() - begin)}))
-        addQuery(t, round, queries);
-      const std::size_t known = pairs_.size();
-      lookUp(queries, round);
-      round = spread(known, round + 1);
+      const std::size_t first = pairs_.size(), last = std::min(begin + batch, border.size());
+      forEach(last - begin, [&](Local& local, std::size_t i) { findAtBorder(local, border[begin + i]); });
+      follow(first, known);
     }
   }
 
-  // Searches everything that is linked with the pairs from `known` on, beginning with a new round; returns the next
-  // round.
+  // Finds all pairs that those from `first` on are linked with; `known` has the ones before.
+  void follow(std::size_t first, PairSet& known) {
+    while (!tooMany()) {
+      keepNew(first, known);
+      const std::size_t end = pairs_.size();
+      if (first == end) return;
+      forEach(end - first, [&](Local& local, std::size_t i) { testLinked(local, pairs_[first + i], known); });
+      first = end;
+    }
+  }
+
+  // Of the pairs from `first` on, drops those that are known.
+  void keepNew(std::size_t first, PairSet& known) {
+    std::size_t kept = first;
+    for (std::size_t i = first; i < pairs_.size(); ++i) {
+      if (i % kPolled == 0) context_.checkCancelled();
+      if (const Pair pair = pairs_[i]; known.insert(pair)) pairs_[kept++] = pair;
+    }
+    pairs_.resize(kept);
+    foundCount_ = kept > most_ ? std::numeric_limits<std::size_t>::max() : kept;
+  }
+
+  void testLinked(Local& local, const Pair& pair, const PairSet& known) const {
+    const auto near = [this](Index t) {
+      return std::array<Index, 4>{t, across_[3 * t], across_[3 * t + 1], across_[3 * t + 2]};
+    };
+    for (const Index s : near(pair[0])) {
+      if (s < 0) continue;
+      const PlanTriangle plan = planOf(s);
+      for (const Index t : near(pair[1])) {
+        if (t < 0 || t == s || known.contains(orderedPair(s, t))) continue;
+        if (overlaps(local, s, plan, t)) local.found.push_back(orderedPair(s, t));
+      }
+    }
+  }
+
+  [[nodiscard]] static Pair orderedPair(Index s, Index t) { return {std::max(s, t), std::min(s, t)}; }
+
+  // Looks up what the pairs from `known` on are linked with, beginning with a round that has not been; returns the next
+  // one.
   Index spread(std::size_t known, Index round) {
     std::vector<Index> queries;
     for (; known < pairs_.size() && !tooMany(); ++round) {
@@ -157,15 +203,6 @@ class OverlapFinder {
     }
     return round;
   }
-
-  using Tree = BoxTree<2>;
-  struct Local {
-    MeshGeometry geometry;
-    std::vector<Pair> found;
-    std::vector<Index> hits;
-    std::vector<Tree::Bounds> bounds;  ///< of the triangles that are looked up together
-    std::size_t tested = 0;
-  };
 
   [[nodiscard]] bool isAtBorder(Index t) const {
     return across_[3 * t] < 0 || across_[3 * t + 1] < 0 || across_[3 * t + 2] < 0;
@@ -214,7 +251,7 @@ class OverlapFinder {
     }
   }
 
-  [[nodiscard]] bool tooMany() const { return foundCount_.load(std::memory_order_relaxed) > most_; }
+  [[nodiscard]] bool tooMany() const { return foundCount_.load(std::memory_order_relaxed) / timesFound_ > most_; }
 
   void test(Local& local, Index t, const PlanTriangle& plan, Index o) const {
     if (overlaps(local, t, plan, o)) local.found.push_back({t, o});
@@ -227,34 +264,18 @@ class OverlapFinder {
     return local.geometry.overlap(plan, planOf(o));
   }
 
-  /// The triangles that were not searched, and have a border side near a triangle that overlaps them.
-  std::vector<Index> withPairsAtBorder(std::span<const Index> triangles) {
-    forEach(triangles.size(), [&](Local& local, std::size_t i) {
-      const Index t = triangles[i];
-      if (round_[t] == kNever && hasPairAtBorder(local, t)) local.hits.push_back(t);
-    });
-    std::vector<Index> hits;
-    for (Local& local : locals_) {
-      hits.insert(hits.end(), local.hits.begin(), local.hits.end());
-      local.hits.clear();
-    }
-    return hits;
-  }
-
-  [[nodiscard]] bool hasPairAtBorder(Local& local, Index t) const {
+  // Finds the pairs of a triangle that have a part near one of its border sides.
+  void findAtBorder(Local& local, Index t) const {
     const PlanTriangle plan = planOf(t);
-    bool isHit = false;
-    for (int k = 0; k < 3 && !isHit; ++k) {
-      if (across_[3 * t + k] >= 0) continue;
-      Index last = t;  // parts of one triangle often follow each other
-      partTree_.visitOverlapping(boundsOfSide(3 * t + k), [&](Index part) {
-        const Index o = parts_[part].triangle;
-        if (isHit || o == t || o == last) return;
-        last = o;
-        isHit = overlaps(local, t, plan, o);
-      });
-    }
-    return isHit;
+    local.hits.clear();
+    for (int k = 0; k < 3; ++k)
+      if (across_[3 * t + k] < 0)
+        partTree_.visitOverlapping(boundsOfSide(3 * t + k), [&](Index part) {
+          if (const Index o = parts_[part].triangle; o != t) local.hits.push_back(o);
+        });
+    sortOnce(local.hits);
+    for (const Index o : local.hits)
+      if (overlaps(local, t, plan, o)) local.found.push_back(orderedPair(t, o));
   }
 
   [[nodiscard]] Tree::Bounds boundsOfSide(Index side) const {
@@ -403,8 +424,10 @@ class OverlapFinder {
   }
 
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256;
-  static constexpr std::size_t kVerticesPerTask = 2048;
+  static constexpr std::size_t kVerticesPerTask = 2048, kPolled = 4096;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
+  /// A pair is linked with 15 others, or found once from either triangle's border sides.
+  static constexpr std::size_t kMostTimesFound = 16;
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
@@ -430,6 +453,7 @@ class OverlapFinder {
   std::vector<char> isSpread_;  ///< whether spread() met it
   std::vector<Pair> pairs_;
   std::size_t most_ = std::numeric_limits<std::size_t>::max();
+  std::size_t timesFound_ = 1;  ///< the number of times that a pair may be found before keepNew()
   std::atomic<std::size_t> foundCount_{0};
 };
 

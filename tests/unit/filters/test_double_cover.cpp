@@ -91,6 +91,17 @@ Soup star(int spikes, double z, double turned) {
   return soup;
 }
 
+/// A disc of so many triangles around its middle.
+Soup disc(int corners, double z) {
+  const auto at = [&](int step) {
+    const double angle = kTurn * (step % corners) / corners;
+    return Vec3{50 * std::cos(angle), 50 * std::sin(angle), z};
+  };
+  Soup soup;
+  for (int i = 0; i < corners; ++i) soup.triangle({0, 0, z}, at(i), at(i + 1));
+  return soup;
+}
+
 /// All that subdivideRegion() is given, as if all triangles were one region.
 LayerInput inputOf(const WalkableState& state, const std::vector<Pair>& overlaps) {
   const WalkableMesh& mesh = *state.mesh;
@@ -287,6 +298,26 @@ class TestDoubleCover : public QObject {
                                           std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
       QVERIFY(found && found->empty());
       QVERIFY2(tested < static_cast<std::size_t>(200 * spikes), qPrintable(QString::number(tested)));
+    }
+  }
+
+  // The boxes of the needles of a disc touch a quarter of each other's, on every storey.
+  void discsAboveEachOtherAreNotTestedPairByPair() {
+    for (const int corners : {1000, 4000}) {
+      Soup soup;
+      for (const double z : {0.0, 3.0, 6.0}) soup.add(disc(corners, z));
+      const StatePtr state = walkable(soup);
+      const std::size_t triangles = state->mesh->triangles.size();
+      QCOMPARE(triangles, static_cast<std::size_t>(3 * corners));
+      RunContext context;
+      ExactFallbacks fallbacks;
+      std::size_t tested = 0;
+      const auto found = findPlanOverlaps(*state->kernel, *state->mesh,
+                                          findEdges(state->mesh->triangles, state->mesh->vertices.size()),
+                                          std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
+      QVERIFY(found.has_value());
+      QCOMPARE(found->size(), triangles);
+      QVERIFY2(tested < 200 * triangles, qPrintable(QString::number(tested)));
     }
   }
 
