@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::test {
 using namespace ui;

@@ -6,7 +6,7 @@
 #include <QLabel>
 
 #include "ui/cells/cell_model.hpp"
-#include "ui/view/overlay_frame.hpp"
+#include "ui/view/widgets/overlay_frame.hpp"
 
 namespace footfall::ui {
 

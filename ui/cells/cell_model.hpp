@@ -15,8 +15,8 @@
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/run_threads.hpp"
-#include "ui/view/cell_block.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_block.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 

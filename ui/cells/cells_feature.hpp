@@ -20,7 +20,7 @@
 #include "ui/run/run_places.hpp"
 #include "ui/run/run_threads.hpp"
 #include "ui/view/feature_host.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 
 namespace footfall::ui {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 

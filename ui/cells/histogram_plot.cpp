@@ -8,7 +8,7 @@
 
 #include "ui/base/core_colours.hpp"
 #include "ui/base/plot_theme.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 namespace {

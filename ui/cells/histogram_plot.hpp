@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {
 

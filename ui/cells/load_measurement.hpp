@@ -9,7 +9,7 @@
 #include "core/pipeline/runner.hpp"
 #include "ui/base/latest_work.hpp"
 #include "ui/base/processor_use.hpp"
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {
 

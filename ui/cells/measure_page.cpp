@@ -10,7 +10,7 @@
 #include "ui/base/localized_numbers.hpp"
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/timeline.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 namespace {

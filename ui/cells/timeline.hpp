@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/base/processor_use.hpp"
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {
 

@@ -9,7 +9,7 @@
 #include "ui/base/filter_text.hpp"
 #include "ui/base/plot_theme.hpp"
 #include "ui/base/theme.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -16,7 +16,7 @@
 #include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/document/edit_text.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -9,9 +9,9 @@
 #include "core/base/vector.hpp"
 #include "footfall/filter.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/handle_colours.hpp"
-#include "ui/view/sight_lines.hpp"
+#include "ui/view/camera/sight_lines.hpp"
+#include "ui/view/overlays/handle_colours.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "core/filters/filter_traits.hpp"
-#include "ui/view/scene_picker.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
+#include "ui/view/scene/scene_picker.hpp"
 
 namespace footfall {
 struct FilterDescriptor;

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "ui/base/panel_dock.hpp"
-#include "ui/view/box_edges.hpp"
+#include "ui/view/overlays/box_edges.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -12,7 +12,7 @@
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

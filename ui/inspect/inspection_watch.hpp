@@ -13,7 +13,7 @@
 #include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/run_controller.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
 
 namespace footfall::ui {
 

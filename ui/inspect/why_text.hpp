@@ -9,7 +9,7 @@
 #include "footfall/inspect.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/inspect/why_text.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 

@@ -13,7 +13,7 @@
 #include "footfall/inspect.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
 #include "ui/view/view_tool.hpp"
 
 namespace footfall::ui {

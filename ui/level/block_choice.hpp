@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
-#include "ui/view/camera_pose.hpp"
-#include "ui/view/scene_camera.hpp"
+#include "ui/view/camera/camera_pose.hpp"
+#include "ui/view/scene/scene_camera.hpp"
 
 namespace footfall::ui {
 

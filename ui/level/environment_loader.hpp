@@ -12,7 +12,7 @@
 #include "footfall/environment.hpp"
 #include "ui/base/latest_work.hpp"
 #include "ui/level/packed_part.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

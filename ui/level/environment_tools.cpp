@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "ui/view/appearance.hpp"
-#include "ui/view/box_edges.hpp"
+#include "ui/view/overlays/box_edges.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <new>
 
-#include "ui/view/obstacle_geometry.hpp"
+#include "ui/view/geometry/obstacle_geometry.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "ui/level/view_modes.hpp"
-#include "ui/view/cut_bar.hpp"
-#include "ui/view/layer_panel.hpp"
-#include "ui/view/view_hint.hpp"
+#include "ui/view/widgets/cut_bar.hpp"
+#include "ui/view/widgets/layer_panel.hpp"
+#include "ui/view/widgets/view_hint.hpp"
 
 namespace footfall::ui {
 

@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/handle_colours.hpp"
-#include "ui/view/sight_lines.hpp"
+#include "ui/view/camera/sight_lines.hpp"
+#include "ui/view/overlays/handle_colours.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

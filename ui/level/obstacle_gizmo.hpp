@@ -8,8 +8,8 @@
 
 #include "core/environment/placed_obstacle.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/scene_picker.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
+#include "ui/view/scene/scene_picker.hpp"
 
 namespace footfall::ui {
 

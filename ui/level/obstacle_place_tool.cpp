@@ -5,10 +5,10 @@
 #include <utility>
 
 #include "ui/level/obstacle_tools.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/handle_colours.hpp"
-#include "ui/view/obstacle_geometry.hpp"
-#include "ui/view/sight_lines.hpp"
+#include "ui/view/camera/sight_lines.hpp"
+#include "ui/view/geometry/obstacle_geometry.hpp"
+#include "ui/view/overlays/handle_colours.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

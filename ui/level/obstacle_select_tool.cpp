@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "ui/level/obstacle_tools.hpp"
-#include "ui/view/obstacle_geometry.hpp"
-#include "ui/view/sight_lines.hpp"
+#include "ui/view/camera/sight_lines.hpp"
+#include "ui/view/geometry/obstacle_geometry.hpp"
 
 namespace footfall::ui {
 namespace {

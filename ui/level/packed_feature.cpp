@@ -12,8 +12,8 @@
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/localized_numbers.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/box_edges.hpp"
+#include "ui/view/overlays/box_edges.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/io/packed/packed_environment.hpp"
-#include "ui/view/backdrop.hpp"
+#include "ui/view/scene/backdrop.hpp"
 
 namespace footfall::ui {
 

@@ -12,7 +12,7 @@
 #include "footfall/run_context.hpp"
 #include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

@@ -7,7 +7,7 @@
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/base/panel_dock.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

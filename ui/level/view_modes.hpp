@@ -16,9 +16,9 @@
 #include "ui/level/level_file.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/feature_host.hpp"
-#include "ui/view/field_geometry.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/geometry/field_geometry.hpp"
 #include "ui/view/view_mode.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 
 namespace footfall::ui {
 

@@ -7,7 +7,7 @@
 
 #include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
 
 namespace footfall::ui {
 

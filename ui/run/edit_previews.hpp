@@ -12,7 +12,7 @@
 #include "footfall/run_context.hpp"
 #include "ui/base/background_queue.hpp"
 #include "ui/run/run_job.hpp"
-#include "ui/view/edit_preview.hpp"
+#include "ui/view/previews/edit_preview.hpp"
 
 namespace footfall::ui {
 

@@ -9,8 +9,8 @@
 
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/view/cell_block.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/cells/cell_block.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

@@ -9,7 +9,7 @@
 #include "core/pipeline/runner.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/run/finished_runs.hpp"
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ui/run/run_event_buffer.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

@@ -8,8 +8,8 @@
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/coarse_geometry.hpp"
+#include "ui/view/geometry/coarse_geometry.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -25,8 +25,8 @@
 #include "ui/run/run_job.hpp"
 #include "ui/run/run_schedule.hpp"
 #include "ui/run/step_statuses.hpp"
-#include "ui/view/cell_block.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/cells/cell_block.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

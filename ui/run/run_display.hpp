@@ -10,7 +10,7 @@
 #include "ui/run/known_blocks.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/run/run_job.hpp"
-#include "ui/view/cell_block.hpp"
+#include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {
 

@@ -12,8 +12,8 @@
 
 #include "footfall/run_context.hpp"
 #include "footfall/statistics.hpp"
-#include "ui/view/cell_block.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/cells/cell_block.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
 

@@ -17,7 +17,7 @@
 #include "ui/run/run_content.hpp"
 #include "ui/run/run_places.hpp"
 #include "ui/run/run_threads.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

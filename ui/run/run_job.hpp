@@ -17,8 +17,8 @@
 #include "ui/run/finished_runs.hpp"
 #include "ui/run/run_event_buffer.hpp"
 #include "ui/run/step_meshes.hpp"
-#include "ui/view/edit_preview.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
+#include "ui/view/previews/edit_preview.hpp"
 
 namespace footfall::ui {
 

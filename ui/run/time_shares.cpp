@@ -7,7 +7,7 @@
 
 #include "ui/base/translated.hpp"
 #include "ui/document/edit_text.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -6,8 +6,8 @@
 #include <QToolTip>
 #include <cmath>
 
-#include "ui/view/appearance.hpp"
-#include "ui/view/cell_colours.hpp"
+#include "ui/view/cells/cell_colours.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -11,8 +11,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/view/camera_input.hpp"
-#include "ui/view/gl_state.hpp"
+#include "ui/view/camera/camera_input.hpp"
+#include "ui/view/scene/gl_state.hpp"
 
 namespace footfall::ui {
 namespace {

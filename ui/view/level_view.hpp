@@ -12,13 +12,13 @@
 #include <optional>
 #include <set>
 
-#include "ui/view/camera_controller.hpp"
-#include "ui/view/frame_pacing.hpp"
-#include "ui/view/overlay_renderer.hpp"
-#include "ui/view/scene_renderer.hpp"
+#include "ui/view/camera/camera_controller.hpp"
+#include "ui/view/overlays/overlay_renderer.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
+#include "ui/view/scene/frame_pacing.hpp"
+#include "ui/view/scene/scene_renderer.hpp"
+#include "ui/view/scene/view_scene.hpp"
 #include "ui/view/tool_mouse.hpp"
-#include "ui/view/view_overlay.hpp"
-#include "ui/view/view_scene.hpp"
 
 namespace footfall::ui {
 

@@ -32,7 +32,7 @@
 #include "ui/level/unit_tools.hpp"
 #include "ui/path/path_feature.hpp"
 #include "ui/run/result_summary.hpp"
-#include "ui/view/camera_tools.hpp"
+#include "ui/view/camera/camera_tools.hpp"
 #include "ui/window/export_commands.hpp"
 #include "ui/window/palette_sources.hpp"
 #include "ui/window/preferences.hpp"

@@ -26,7 +26,7 @@
 #include "ui/run/run_controller.hpp"
 #include "ui/view/feature_host.hpp"
 #include "ui/view/level_view.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 #include "ui/window/drawing_note.hpp"
 #include "ui/window/file_writer.hpp"
 #include "ui/window/help_panel.hpp"

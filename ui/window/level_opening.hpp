@@ -19,7 +19,7 @@
 #include "ui/level/level_file.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/level_view.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 #include "ui/window/session_files.hpp"
 
 namespace footfall::ui {

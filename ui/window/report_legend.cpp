@@ -7,7 +7,7 @@
 
 #include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/view/render_geometry.hpp"
-#include "ui/view/scene_renderer.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
+#include "ui/view/scene/scene_renderer.hpp"
 
 namespace footfall::ui {
 

@@ -15,8 +15,8 @@
 #include "ui/document/export_settings.hpp"
 #include "ui/level/view_modes.hpp"
 #include "ui/run/run_controller.hpp"
-#include "ui/view/legend.hpp"
 #include "ui/view/level_view.hpp"
+#include "ui/view/widgets/legend.hpp"
 #include "ui/window/file_writer.hpp"
 
 namespace footfall {

@@ -14,7 +14,7 @@
 #include "ui/base/namespaces.hpp"
 #include "ui/cells/cells_shown.hpp"
 #include "ui/document/named_agent.hpp"
-#include "ui/view/camera_pose.hpp"
+#include "ui/view/camera/camera_pose.hpp"
 
 namespace footfall::ui {
 

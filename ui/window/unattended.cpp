@@ -10,7 +10,7 @@
 
 #include "ui/level/level_look.hpp"
 #include "ui/level/packed_feature.hpp"
-#include "ui/view/view_hint.hpp"
+#include "ui/view/widgets/view_hint.hpp"
 #include "ui/window/turntable/turntable_feature.hpp"
 
 namespace footfall::ui {

@@ -11,7 +11,7 @@
 #include "ui/base/system_colours.hpp"
 #include "ui/base/theme.hpp"
 #include "ui/level/import_panel.hpp"
-#include "ui/view/appearance.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

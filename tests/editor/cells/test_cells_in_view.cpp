@@ -12,7 +12,7 @@
 #include "ui/cells/cells_feature.hpp"
 #include "ui/cells/load_panel.hpp"
 #include "ui/filters/filter_list.hpp"
-#include "ui/view/height_slider.hpp"
+#include "ui/view/widgets/height_slider.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

@@ -11,7 +11,7 @@
 #include "ui/filters/filter_list.hpp"
 #include "ui/filters/seed_edits.hpp"
 #include "ui/filters/seed_feature.hpp"
-#include "ui/view/legend.hpp"
+#include "ui/view/widgets/legend.hpp"
 #include "ui/window/session.hpp"
 
 using namespace footfall;

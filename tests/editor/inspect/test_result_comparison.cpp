@@ -10,7 +10,7 @@
 #include "tests/editor/window_parts.hpp"
 #include "ui/base/message_bar.hpp"
 #include "ui/inspect/compare_feature.hpp"
-#include "ui/view/legend.hpp"
+#include "ui/view/widgets/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

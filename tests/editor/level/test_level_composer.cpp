@@ -13,7 +13,7 @@
 #include "footfall/edit.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/level/level_composer.hpp"
-#include "ui/view/obstacle_geometry.hpp"
+#include "ui/view/geometry/obstacle_geometry.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -14,7 +14,7 @@
 #include "ui/level/import_panel.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/path/path_feature.hpp"
-#include "ui/view/camera_tools.hpp"
+#include "ui/view/camera/camera_tools.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

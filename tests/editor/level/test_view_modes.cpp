@@ -7,7 +7,7 @@
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/level/level_look.hpp"
-#include "ui/view/legend.hpp"
+#include "ui/view/widgets/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

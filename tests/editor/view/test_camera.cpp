@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/view/camera_tools.hpp"
+#include "ui/view/camera/camera_tools.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -5,7 +5,7 @@
 #include <set>
 
 #include "footfall/filter_type.hpp"
-#include "ui/view/coarse_geometry.hpp"
+#include "ui/view/geometry/coarse_geometry.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

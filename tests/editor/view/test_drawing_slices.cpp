@@ -8,8 +8,8 @@
 #include "ui/base/frame_watchdog.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/run/provisional_content.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/drawing_slice.hpp"
+#include "ui/view/scene/appearance.hpp"
+#include "ui/view/scene/drawing_slice.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

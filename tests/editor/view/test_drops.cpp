@@ -5,9 +5,9 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/legend.hpp"
-#include "ui/view/render_geometry.hpp"
+#include "ui/view/geometry/render_geometry.hpp"
+#include "ui/view/scene/appearance.hpp"
+#include "ui/view/widgets/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

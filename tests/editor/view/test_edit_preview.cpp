@@ -8,7 +8,7 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
-#include "ui/view/edit_preview.hpp"
+#include "ui/view/previews/edit_preview.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -4,7 +4,7 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/view/height_slider.hpp"
+#include "ui/view/widgets/height_slider.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

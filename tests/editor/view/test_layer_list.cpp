@@ -4,8 +4,8 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/view/height_slider.hpp"
-#include "ui/view/layer_panel.hpp"
+#include "ui/view/widgets/height_slider.hpp"
+#include "ui/view/widgets/layer_panel.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 
-#include "ui/view/level_covers.hpp"
+#include "ui/view/geometry/level_covers.hpp"
 
 using namespace footfall::ui;
 

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/line_crowds.hpp"
+#include "ui/view/geometry/line_crowds.hpp"
+#include "ui/view/scene/appearance.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -5,7 +5,7 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/house_obj.hpp"
-#include "ui/view/view_hint.hpp"
+#include "ui/view/widgets/view_hint.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -6,8 +6,8 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/view/appearance.hpp"
-#include "ui/view/legend.hpp"
+#include "ui/view/scene/appearance.hpp"
+#include "ui/view/widgets/legend.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

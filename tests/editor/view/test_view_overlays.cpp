@@ -10,11 +10,11 @@
 #include "tests/editor/window_parts.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/level/obstacle_features.hpp"
-#include "ui/view/camera_tools.hpp"
-#include "ui/view/height_slider.hpp"
-#include "ui/view/label_layout.hpp"
-#include "ui/view/legend.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/camera/camera_tools.hpp"
+#include "ui/view/overlays/label_layout.hpp"
+#include "ui/view/widgets/height_slider.hpp"
+#include "ui/view/widgets/legend.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

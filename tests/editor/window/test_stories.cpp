@@ -21,8 +21,8 @@
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/path/path_feature.hpp"
-#include "ui/view/height_slider.hpp"
-#include "ui/view/view_layout.hpp"
+#include "ui/view/widgets/height_slider.hpp"
+#include "ui/view/widgets/view_layout.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/view/camera_pose.hpp"
-#include "ui/view/view_overlay.hpp"
+#include "ui/view/camera/camera_pose.hpp"
+#include "ui/view/overlays/view_overlay.hpp"
 
 namespace footfall::ui {
 

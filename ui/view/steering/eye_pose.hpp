@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/view/camera_pose.hpp"
+#include "ui/view/camera/camera_pose.hpp"
 
 namespace footfall::ui {
 
