@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/assembly/walkable_state.hpp"
-#include "core/filters/filter.hpp"
+#include "core/filters/apply_filter.hpp"
 #include "footfall/statistics.hpp"
 
 namespace footfall {

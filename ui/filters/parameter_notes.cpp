@@ -5,7 +5,7 @@
 
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/geometry.hpp"
+#include "core/base/index_and_box.hpp"
 
 namespace footfall::detail {
 

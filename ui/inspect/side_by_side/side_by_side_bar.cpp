@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "ui/base/flow_layout.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

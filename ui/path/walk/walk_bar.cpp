@@ -9,7 +9,7 @@
 
 #include "ui/base/flow_layout.hpp"
 #include "ui/base/icon.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
+#include "ui/base/core_colours.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/palette.hpp"
 #include "ui/view/steering/eye_pose.hpp"
 
 namespace footfall::ui {
