@@ -41,16 +41,17 @@ class TestSideBySide : public QObject {
     openPair();
     // The same twice: the floor without what lies under the table, and the table.
     QCOMPARE(side_->bar().cell(0, 0), side_->bar().cell(1, 0));
-    QCOMPARE(side_->bar().cell(0, 1), QString("2"));
-    QCOMPARE(side_->bar().cell(2, 0), QString("0 units²"));
+    QCOMPARE(side_->bar().cell(0, 1), QString("1"));
+    QCOMPARE(side_->bar().cell(0, 2), QString("2"));
+    QCOMPARE(side_->bar().cell(2, 0), QString("0.00 units²"));
     QCOMPARE(side_->bar().cell(2, 2), QString("0"));
     // A is edited; B stays.
     const QString before = side_->bar().cell(1, 0);
     setClearance(0.5);
     QVERIFY(waitForBoth());
     QCOMPARE(side_->bar().cell(1, 0), before);
-    QTRY_COMPARE(side_->bar().cell(0, 0), QString("68 units²"));  // floor and table
-    QCOMPARE(side_->bar().cell(2, 0), QString("\u22124 units²"));
+    QTRY_COMPARE(side_->bar().cell(0, 0), QString("68.00 units²"));  // floor and table
+    QCOMPARE(side_->bar().cell(2, 0), QString("\u22124.00 units²"));
     shoot(*window_, "side-by-side");
     QVERIFY(side_->other() == parsePipeline(kPipeline, "test"));
     // Both views show their own results.
@@ -95,8 +96,8 @@ class TestSideBySide : public QObject {
     QTest::mouseClick(side_->bar().swapButton(), Qt::LeftButton);
     QVERIFY(window_->document().pipeline() == b && side_->other() == a);
     QVERIFY(waitForBoth());
-    QTRY_COMPARE(side_->bar().cell(1, 0), QString("68 units²"));
-    QCOMPARE(side_->bar().cell(2, 0), QString("+4 units²"));
+    QTRY_COMPARE(side_->bar().cell(1, 0), QString("68.00 units²"));
+    QCOMPARE(side_->bar().cell(2, 0), QString("+4.00 units²"));
     QTest::mouseClick(side_->bar().keepBButton(), Qt::LeftButton);
     QVERIFY(!side_->isOpen());
     QVERIFY(window_->document().pipeline() == a);
@@ -133,11 +134,11 @@ class TestSideBySide : public QObject {
     box.base = {-3, -3, 0};
     box.size = {1, 1, 1};
     next.obstacles.push_back(box);
-    const QString before = side_->bar().cell(1, 0);
+    const QString before = side_->bar().cell(1, 2);
     window_->document().edit(next, "place a box");
     QVERIFY(waitForBoth());
-    QTRY_VERIFY(side_->bar().cell(1, 0) != before && side_->bar().cell(1, 0) != "…");
-    QTRY_COMPARE(side_->bar().cell(0, 0), side_->bar().cell(1, 0));
+    QTRY_VERIFY(side_->bar().cell(1, 2) != before && side_->bar().cell(1, 2) != "…");  // its top is a part
+    QTRY_COMPARE(side_->bar().cell(0, 2), side_->bar().cell(1, 2));
     QTRY_VERIFY(side_->otherView()->environmentGeometry() == window_->view().environmentGeometry());
     // A session keeps B.
     const QString session = folder_->filePath("pair.footfall");
@@ -149,7 +150,7 @@ class TestSideBySide : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return side_->isOpen(); }, kWaitMs));
     QVERIFY(waitForBoth());
     QVERIFY(side_->other() == parsePipeline(kPipeline, "test"));
-    QTRY_COMPARE(side_->bar().cell(2, 0), QString("0 units²"));
+    QTRY_COMPARE(side_->bar().cell(2, 0), QString("0.00 units²"));
   }
 
   void nothingToCompareBeforeALevel() {

@@ -57,8 +57,8 @@ class TestRecentPictures : public QObject {
     QVERIFY(showWindow(window));
     window.photographer().setDelay(10);
     QSignalSpy changed(&window.photographer(), &RecentPhotographer::changed);
-    window.open(table);
-    QVERIFY(changed.wait(kWaitMs));
+    QVERIFY(openZUp(window, table, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
+    QVERIFY(QTest::qWaitFor([&] { return changed.count() > 0; }, kWaitMs));
     const QImage stored = RecentPictures::ofUser().find(table);
     QCOMPARE(stored.size(), RecentPictures::kSize);
     QVERIFY(isColourful(stored));
