@@ -56,6 +56,7 @@ class TestTileJoin : public QObject {
   void stepsUniteRegions();
   void stepsComeAfterAreas();
   void linksInARowGoOn();
+  void gapsRunInPieces();
   void bordersHaveOneNameAndPlace();
   void theSameTilesOnAnyThreads_data();
   void theSameTilesOnAnyThreads();
@@ -155,6 +156,34 @@ void TestTileJoin::linksInARowGoOn() {
     const std::string pipeline = "VerticalClearanceFilter 0.125\nStepFilter 0.75 0\n";
     expectKept(stack, pipeline, static_cast<std::size_t>(3 * storeys - 1));
   }
+}
+
+void TestTileJoin::gapsRunInPieces() {
+  // Floors with gaps between them, two by two, and three in a row with steps; all of them together do not fit.
+  Soup rows;
+  for (int i = 0; i < 40; ++i)
+    for (int k = 0; k < 40; ++k) {
+      const double x = 4 * i, y = 2 * k;
+      rows.floor(x, y, x + 1, y + 1, 0).floor(x + 1.0625, y, x + 2, y + 0.75, 0.25);
+      if (k % 3 == 0) rows.floor(x + 2, y + 0.25, x + 3, y + 1, 0.5);
+    }
+  const TemporaryFolder folder;
+  pack(*rows.environment(), folder.path("rows.ffenv"));
+  const PackedEnvironment environment(folder.path("rows.ffenv"));
+  const std::string pipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.25 0.125\n";
+  RunContext context;
+  OneRank ranks;
+  const auto tilesWithin = [&](std::uint64_t memory) {
+    TilesInMemory store;
+    runCells(environment, parsePipeline(pipeline, "test"), {memory}, store, ranks, context);
+    return store.tiles.size();
+  };
+  // The least bound, to 256 kB: cells are small, and so are the pieces of what gaps change.
+  std::uint64_t memory = std::uint64_t{65} << 20;
+  while (!wordsOf<InputError>([&] { tilesWithin(memory); }).isEmpty()) memory += std::uint64_t{256} << 10;
+  QVERIFY(memory < std::uint64_t{70} << 20);
+  QVERIFY(tilesWithin(memory) > tilesWithin(kEnough));
+  QCOMPARE(differenceOf(environment, pipeline, {std::uint64_t{1} << 40}, memory), QString());
 }
 
 void TestTileJoin::bordersHaveOneNameAndPlace() {

@@ -123,7 +123,7 @@ class TilesInMemory : public TileStore {
 
 /// Empty when tiles of cells with at most so many triangles of their own, in any order, are joined to the same bytes.
 inline QString differenceOf(const PackedEnvironment& environment, const std::string& pipeline,
-                            const std::vector<std::uint64_t>& cells) {
+                            const std::vector<std::uint64_t>& cells, std::uint64_t memory = kEnough) {
   RunContext context;
   const Pipeline parsed = parsePipeline(pipeline, "test");
   const auto level = applyPartRules(std::make_shared<Environment>(environment.readAll()), {});
@@ -132,7 +132,7 @@ inline QString differenceOf(const PackedEnvironment& environment, const std::str
   std::vector<std::uint32_t> sources = whole.mesh->sourceTriangles;
   if (level->edit)
     for (std::uint32_t& source : sources) source = level->edit->keptTriangles[source];
-  TileRunOptions options{kEnough};
+  TileRunOptions options{memory};
   options.roles = rolesOf(environment.head(), {});
   for (const std::uint64_t most : cells) {
     TilesInMemory store;
