@@ -270,10 +270,12 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
     }
   }
   if (level.bits > kMostBits)
-    notes.push_back({std::nullopt, Text(FOOTFALL_TEXT("coordinates of very different sizes need %1 bits together, and "
-                                                      "runs take many times longer; put them on a grid when the file "
-                                                      "is read, or check the largest and the smallest ones"),
-                                        Text::count(static_cast<std::uint64_t>(level.bits)))});
+    notes.push_back({std::nullopt,
+                     Text(FOOTFALL_TEXT("coordinates of very different sizes need %1 bits together, and "
+                                        "runs take many times longer; put them on a grid when the file "
+                                        "is read, or check the largest and the smallest ones"),
+                          Text::count(static_cast<std::uint64_t>(level.bits))),
+                     std::nullopt});
   return notes;
 }
 

@@ -47,8 +47,7 @@ struct ParameterNote {
 
 /// The notes on a pipeline's enabled steps:
 /// - a step that is a rounding, or at most a twentieth, below the most frequent riser: the most frequent height of
-/// walls
-///   among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;
+///   walls among those of at most half of the clearance. Risers of exactly the step are climbed, and nothing is said;
 /// - agents that are taller than the level is in any direction, or than each of its doorways;
 /// - much ground that is steeper than the maximum slope and its tolerance by less than a twentieth of a degree: a
 ///   hundredth of all that faces up;
