@@ -163,14 +163,11 @@ void LevelLook::addInside(CommandRegistry& commands) {
     }
     layout_.update();
   });
-  // The legend grows by what the first result has to show. Other listeners change it after this one.
+  // The legend has grown by what the first result has shown.
   connect(&file_, &LevelFile::opened, this, [this] { fresh_ = true; });
-  connect(
-      &controller_, &RunController::finished, this,
-      [this] {
-        if (std::exchange(fresh_, false)) view_.cameraController().refit();
-      },
-      Qt::QueuedConnection);
+  connect(&controller_, &RunController::finished, this, [this] {
+    if (std::exchange(fresh_, false)) view_.cameraController().refit();
+  });
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);
   connect(inside_, &QAction::toggled, hint_, &QWidget::hide);

@@ -1,7 +1,6 @@
-// How a closed level is shown when it is opened: framed alike each time, with its roofs faded.
+// How a closed level is shown when it is opened: with its roofs faded.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QSettings>
-#include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/house_obj.hpp"
@@ -15,8 +14,6 @@ using namespace footfall::test;
 namespace {
 
 constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\nLayerSubdivisionFilter\n";
-
-double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
 
 }  // namespace
 
@@ -46,46 +43,6 @@ class TestLookInside : public QObject {
     // An upright wall in the way goes altogether.
     const double wallShown = sameShare(open, closed, view().project(wall).value().toPoint());
     QVERIFY2(wallShown < 0.15, qPrintable(QString::number(wallShown)));
-  }
-
-  // Whatever was opened before, whether a hint is shown, and whether the camera still glides.
-  void levelsAreFramedAlikeEachTime() {
-    const QString other = writeFile(folder_, "floor.obj", floorObj());
-    const auto frame = [this](const QString& path) {
-      if (!openZUp(*window_, path, kPipeline)) return CameraPose();
-      QTest::qWait(400);  // for glides, and for listeners behind the run's
-      return window_->view().cameraController().pose();
-    };
-    const CameraPose first = frame(house_);
-    QVERIFY(view().findChild<ViewHint*>()->isVisible());  // once, and not again
-    const double reach = distance(first.position, first.pivot);
-    QVERIFY(reach > 0);
-    const auto isSame = [&](const CameraPose& pose) {
-      return distance(pose.position, first.position) < 1e-3 * reach && distance(pose.pivot, first.pivot) < 1e-3 * reach;
-    };
-    QVERIFY(isSame(frame(house_)));
-    QVERIFY(view().findChild<ViewHint*>()->isHidden());
-    frame(other);
-    QVERIFY(isSame(frame(house_)));
-    view().cameraController().viewFromTop();
-    window_->setInteractive(true);
-    QVERIFY(isSame(frame(house_)));
-    makeWindow();
-    QVERIFY(isSame(frame(house_)));
-  }
-
-  // A message about what was there before makes the view lower until the level arrives.
-  void aMessageBeforeALevelOpensChangesNothing() {
-    QVERIFY(openZUp(*window_, house_, kPipeline));
-    QTest::qWait(100);
-    const CameraPose first = view().cameraController().pose();
-    window_->messageBar().showHint(QStringLiteral("A word"));
-    QTest::qWait(50);
-    QVERIFY(openZUp(*window_, house_, kPipeline));
-    QTest::qWait(100);
-    QVERIFY(window_->messageBar().text().isEmpty());
-    const CameraPose second = view().cameraController().pose();
-    QVERIFY(distance(second.position, first.position) < 1e-3 * distance(first.position, first.pivot));
   }
 
  private:

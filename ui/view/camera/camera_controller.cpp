@@ -46,7 +46,7 @@ void CameraController::setScene(std::shared_ptr<const EnvironmentGeometry> scene
   }
   if (!fit) return;
   viewOblique();
-  fitWhenSized_ = true;
+  fitWhenSized_ = !viewer_.isVisible();
   opened_ = pose();
 }
 
@@ -64,7 +64,6 @@ void CameraController::setPose(const CameraPose& pose) {
   endGlide();
   glide_.place(pose);
   fitWhenSized_ = false;
-  opened_.reset();
   viewer_.update();
 }
 
@@ -218,19 +217,11 @@ void CameraController::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), tr
 
 void CameraController::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
 
-// A camera on its way to where opening sends it is sent on.
 void CameraController::refit() {
-  fitWhenSized_ = false;
-  if (!scene_ || !opened_ || !(glide_.target() == *opened_)) return;
-  const bool glides = glide_.isGliding();
-  const CameraPose from = glide_.now();
-  glide_.place(*opened_);
+  if (!scene_ || glide_.isGliding() || !opened_ || !(glide_.now() == *opened_)) return;
   standBefore(scene_->detailExtremes);
   opened_ = glide_.now();
-  if (glides)
-    glide_.glideFrom(from);
-  else
-    jump();
+  jump();
 }
 
 void CameraController::fit() {
@@ -318,12 +309,14 @@ void CameraController::resized() {
   if (forPicture_) return;
   const Placed now{QRect(viewer_.mapTo(viewer_.window(), QPoint(0, 0)), viewer_.size()), viewer_.window()->size()};
   const std::optional<Placed> before = std::exchange(placed_, now);
-  if (fitWhenSized_) {
-    refit();
-    fitWhenSized_ = true;
+  if (fitWhenSized_ && scene_) {
+    standBefore(scene_->detailExtremes);
+    opened_ = glide_.now();
+    jump();
   } else if (before && viewer_.isVisible() && before->window == now.window && before->inWindow != now.inWindow) {
     keepPicture(*before, now);
   }
+  fitWhenSized_ = false;
 }
 
 // A dock was shown or hidden. Every place of the screen keeps its content and scale, at the depth of the surface under

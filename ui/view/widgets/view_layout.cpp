@@ -27,10 +27,6 @@ ViewLayout::ViewLayout(LevelView& view)
 void ViewLayout::update() {
   place(view_.size());
   view_.cameraController().setCovered(covered());
-  // What is left of the view has another size. Where the view itself has, OpenGL comes to that.
-  const auto& camera = *view_.camera();
-  if (camera.screenWidth() == view_.width() && camera.screenHeight() == view_.height())
-    view_.cameraController().resized();
 }
 
 bool ViewLayout::eventFilter(QObject* watched, QEvent* event) {
@@ -85,7 +81,8 @@ void ViewLayout::place(const QSize& view) const {
 
 std::vector<QRect> ViewLayout::covered() const {
   std::vector<QRect> rects;
-  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_}) {
+  for (const QWidget* widget :
+       std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_, hint_.data()}) {
     if (shown(widget)) rects.push_back(widget->geometry());
   }
   return rects;
