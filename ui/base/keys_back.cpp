@@ -9,6 +9,8 @@
 namespace footfall::ui {
 namespace {
 
+constexpr const char* kKeysGoTo = "keysGoTo";
+
 class EscapeWatch : public QObject {
  public:
   explicit EscapeWatch(QLineEdit& field) : QObject(&field), field_(field) { field.installEventFilter(this); }
@@ -42,13 +44,18 @@ class DoubleClickWatch : public QObject {
 
 }  // namespace
 
+void setKeysGoTo(QWidget& central, QWidget& child) {
+  central.setProperty(kKeysGoTo, QVariant::fromValue<QWidget*>(&child));
+}
+
 bool giveKeysBack(QWidget& field) {
   for (QWidget* widget = field.parentWidget(); widget != nullptr; widget = widget->parentWidget()) {
     if (qobject_cast<QDialog*>(widget)) return false;
     const auto* window = qobject_cast<QMainWindow*>(widget);
     if (!window || !window->centralWidget()) continue;
-    if (field.window() != widget) widget->activateWindow();  // leaves a floating dock
-    window->centralWidget()->setFocus(Qt::OtherFocusReason);
+    if (field.window() != widget) widget->activateWindow();  // out of a dock that floats
+    auto* child = window->centralWidget()->property(kKeysGoTo).value<QWidget*>();
+    (child ? child : window->centralWidget())->setFocus(Qt::OtherFocusReason);
     return true;
   }
   return false;

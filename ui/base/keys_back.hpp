@@ -7,8 +7,12 @@
 
 namespace footfall::ui {
 
-/// Moves the focus to the central widget of the window that holds `field`. Returns false and changes nothing in
-/// dialogs, which use Enter and Escape themselves.
+/// Names the child of a window's central widget to which giveKeysBack() goes. A focus proxy of the central widget would
+/// take Tab past everything that stands before that child.
+void setKeysGoTo(QWidget& central, QWidget& child);
+
+/// Gives the focus to what stands in the middle of the window that `field` is part of. False, and nothing happens, in
+/// dialogs: there Enter and Escape are the dialog's.
 bool giveKeysBack(QWidget& field);
 
 /// Enter and Escape in `field` return the focus, after their other effects.

@@ -12,6 +12,7 @@
 #include "ui/base/focus_ring.hpp"
 #include "ui/base/guarded_application.hpp"
 #include "ui/base/hover_reset.hpp"
+#include "ui/base/keys_back.hpp"
 #include "ui/base/panel_dock.hpp"
 #include "ui/base/theme_commands.hpp"
 #include "ui/base/translations.hpp"
@@ -90,7 +91,7 @@ void EditorWindow::createWidgets() {
   views_->addWidget(view_);
   layout->addWidget(views_, 1);
   setCentralWidget(central);
-  central->setFocusProxy(view_);  // code that returns the focus gives it to the view
+  setKeysGoTo(*central, *view_);
 
   createStatusBar();
   host_ = std::make_unique<FeatureHost>(FeatureHost{*this, commands_, *new Panels(*this, commands_, *view_),
