@@ -68,11 +68,11 @@ class TestParameterNotes : public QObject {
         "v 0 0 0\nv 100 0 100.001\nv 100 20 100.001\nv 0 20 0\nf 1 2 3\nf 1 3 4\n"
         "v 0 20 0\nv 100 20 0\nv 100 40 0\nv 0 40 0\nf 5 6 7\nf 5 7 8\n";
     QVERIFY(openZUp(window, writeFile(folder, "ramp.obj", ramp), "SlopeFilter 45 0\nVerticalClearanceFilter 2\n"));
-    QTRY_VERIFY(window.messageBar().text().contains("steeper than 45 degrees by less than 0.0003 degrees"));
+    QTRY_VERIFY(partOf<MessageBar>(window).text().contains("steeper than 45 degrees by less than 0.0003 degrees"));
     const auto area = [&window] { return window.controller().finishedRun()->result.summary.area; };
     const double before = area();
     QPushButton* set = nullptr;
-    for (auto* button : window.messageBar().findChildren<QPushButton*>())
+    for (auto* button : partOf<MessageBar>(window).findChildren<QPushButton*>())
       if (button->isVisible()) set = button;
     QVERIFY(set);
     QVERIFY2(set->text().endsWith("to 0.0003"), qPrintable(set->text()));
@@ -80,7 +80,7 @@ class TestParameterNotes : public QObject {
     QCOMPARE(window.document().filters()[0].step.values[1], 0.0003);
     QVERIFY(waitUntilIdle(window));
     QVERIFY(area() > before + 2800);
-    QVERIFY(window.messageBar().text().isEmpty());
+    QVERIFY(partOf<MessageBar>(window).text().isEmpty());
     window.document().undoStack()->undo();
     QCOMPARE(window.document().filters()[0].step.values[1], 0.0);
     QVERIFY(waitUntilIdle(window));
@@ -96,8 +96,8 @@ class TestParameterNotes : public QObject {
     window.openWith(writeFile(folder, "floor.obj", floorObj()),
                     parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\n", "test"), import);
     QVERIFY(waitUntilIdle(window));
-    QTRY_VERIFY(window.messageBar().text().contains("less than ten times an agent's height"));
-    for (auto* button : window.messageBar().findChildren<QPushButton*>())
+    QTRY_VERIFY(partOf<MessageBar>(window).text().contains("less than ten times an agent's height"));
+    for (auto* button : partOf<MessageBar>(window).findChildren<QPushButton*>())
       if (button->isVisible()) button->click();
     QVERIFY(waitUntilIdle(window));
     QCOMPARE(window.document().state().import.metresPerUnit, std::optional(10.0));

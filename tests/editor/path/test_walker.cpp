@@ -3,7 +3,9 @@
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/message_bar.hpp"
+#include "ui/base/status_line.hpp"
 #include "ui/path/path_feature.hpp"
 
 using namespace footfall;
@@ -156,7 +158,7 @@ class TestWalker : public QObject {
     WalkTool& tool = feature_->walk().tool();
     QCOMPARE(view.tool(), static_cast<ViewTool*>(&tool));
     QTRY_VERIFY(tool.isReady());
-    QVERIFY(window_->statusLine().text().contains("click where to stand"));
+    QVERIFY(partOf<StatusLine>(*window_).text().contains("click where to stand"));
     QTest::mouseMove(&view, placeInView(*window_, {2, 1, 0}));
     shoot(*window_, "walk-where");
     clickInView(*window_, {2, 1, 0});

@@ -24,8 +24,10 @@
 #include "core/pipeline/runner.hpp"
 #include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/base/frame_watchdog.hpp"
-#include "ui/base/number_text.hpp"
+#include "ui/base/localized_numbers.hpp"
+#include "ui/filters/filter_list.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -135,7 +137,7 @@ class Monkey {
   // Sideways, as values are dragged: the list runs again and again meanwhile.
   void dragValue() {
     const int id = anyRow() ? anyRow()->entryId() : -1;
-    const auto& rows = window_.filterList().rows();
+    const auto& rows = partOf<FilterList>(window_).rows();
     auto found = std::ranges::find(rows, id, &FilterRow::entryId);
     if (found == rows.end()) return;
     if (!(*found)->isOpen()) QTest::mouseClick((*found)->nameLabel(), Qt::LeftButton);
@@ -180,7 +182,7 @@ class Monkey {
   }
 
   FilterRow* anyRow() {
-    const auto& rows = window_.filterList().rows();
+    const auto& rows = partOf<FilterList>(window_).rows();
     return rows.empty() ? nullptr : rows[static_cast<std::size_t>(below(static_cast<int>(rows.size())))];
   }
 
@@ -252,7 +254,7 @@ class Monkey {
 QString lyingRow(EditorWindow& window) {
   const auto shown = window.controller().finishedRun();
   if (!shown || !window.controller().upToDate()) return {};
-  const auto& rows = window.filterList().rows();
+  const auto& rows = partOf<FilterList>(window).rows();
   const auto& filters = window.document().filters();
   if (rows.size() != filters.size()) return QStringLiteral("%1 rows of %2").arg(rows.size()).arg(filters.size());
   std::size_t step = 0;

@@ -3,8 +3,10 @@
 #include <QDir>
 
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
 #include "ui/window/recent/recent_photographer.hpp"
 #include "ui/window/recent/recent_pictures.hpp"
+#include "ui/window/welcome_page.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -63,7 +65,7 @@ class TestRecentPictures : public QObject {
     QCOMPARE(stored.size(), RecentPictures::kSize);
     QVERIFY(isColourful(stored));
     window.commands().find("file.welcome")->trigger();
-    QListWidget* list = window.welcomePage().recentList();
+    QListWidget* list = partOf<WelcomePage>(window).recentList();
     QCOMPARE(list->count(), 1);
     const QImage shown = list->item(0)->icon().pixmap(list->iconSize()).toImage();
     QVERIFY(isColourful(shown));

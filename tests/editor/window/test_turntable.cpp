@@ -6,6 +6,9 @@
 
 #include "core/base/vector.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "tests/editor/window_parts.hpp"
+#include "ui/base/message_bar.hpp"
+#include "ui/base/status_line.hpp"
 #include "ui/window/turntable/turntable_dialog.hpp"
 #include "ui/window/turntable/turntable_feature.hpp"
 #include "ui/window/turntable/turntable_poses.hpp"
@@ -87,10 +90,10 @@ class TestTurntable : public QObject {
       last = frame;
     }
     QVERIFY(window_->view().cameraController().pose() == before);
-    QVERIFY(window_->statusLine().text().contains("Wrote 6 frames"));
+    QVERIFY(partOf<StatusLine>(*window_).text().contains("Wrote 6 frames"));
     // Not into the same folder again: a shorter sequence would leave frames of this one.
     table().start({folder, 4, {320, 240}});
-    QVERIFY(window_->messageBar().text().contains("has frames of another sequence"));
+    QVERIFY(partOf<MessageBar>(*window_).text().contains("has frames of another sequence"));
     QCOMPARE(QDir(folder).entryList(QDir::Files).size(), 6);
   }
 
@@ -112,7 +115,7 @@ class TestTurntable : public QObject {
     const QString message = messageFor(full);
     QVERIFY2(message.contains("the disk is full") && message.contains("2 of 3 frames are written"),
              qPrintable(message));
-    QCOMPARE(window_->messageBar().text(), message);
+    QCOMPARE(partOf<MessageBar>(*window_).text(), message);
     const QString readOnly = folder_->filePath("read only");
     QVERIFY(QDir().mkpath(readOnly));
     QVERIFY(QFile::setPermissions(readOnly, QFile::ReadOwner | QFile::ExeOwner));
@@ -124,11 +127,11 @@ class TestTurntable : public QObject {
     QSignalSpy stopped(&table(), &Turntable::stopped), progressed(&table(), &Turntable::progressed);
     table().start({folder_->filePath("a"), 500, {320, 240}});
     QVERIFY(QTest::qWaitFor([&] { return progressed.count() > 2; }, kWaitMs));
-    QVERIFY(window_->cancelButton()->isVisible());
-    QTest::mouseClick(window_->cancelButton(), Qt::LeftButton);
+    QVERIFY(window_->findChild<QPushButton*>("cancel")->isVisible());
+    QTest::mouseClick(window_->findChild<QPushButton*>("cancel"), Qt::LeftButton);
     QCOMPARE(stopped.count(), 1);
     QVERIFY(stopped.first().first().toString().contains("of 500 frames are written, as the turntable was cancelled"));
-    QVERIFY(!window_->cancelButton()->isVisible());
+    QVERIFY(!window_->findChild<QPushButton*>("cancel")->isVisible());
     table().start({folder_->filePath("b"), 500, {320, 240}});
     window_->document().setValue(window_->document().filters()[1].id, 0, 0.5, -1);
     QVERIFY(QTest::qWaitFor([&] { return stopped.count() == 2; }, kWaitMs));
