@@ -7,11 +7,9 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/block_builder.hpp"
 #include "tests/editor/editor_driver.hpp"
-#include "tests/editor/window_parts.hpp"
 #include "ui/cells/cell_legend.hpp"
 #include "ui/cells/cells_feature.hpp"
 #include "ui/cells/load_panel.hpp"
-#include "ui/filters/filter_list.hpp"
 #include "ui/view/widgets/height_slider.hpp"
 
 using namespace footfall;
@@ -175,8 +173,8 @@ class TestCellsInView : public QObject {
 
   void aRunShowsItsCells() {
     QVERIFY(openGrid());
-    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
-    const CellBlock& block = partOf<CellsFeature>(*window_).model().blocks()[0];
+    QCOMPARE(model().blocks().size(), std::size_t{1});
+    const CellBlock& block = model().blocks()[0];
     QCOMPARE(block.report.cells.size(), std::size_t{4});
     QVERIFY(block.complete());
     QVERIFY(std::ranges::all_of(block.finished, [](char done) { return done != 0; }));
@@ -186,9 +184,9 @@ class TestCellsInView : public QObject {
     QVERIFY(window_->view().parts().cells);
     QTRY_VERIFY(window_->cellWatch().upToDate());
     QVERIFY(partOf<CellLegend>(*window_).isVisible());
-    partOf<CellsFeature>(*window_).model().setColouring(CellColouring::Triangles);
+    model().setColouring(CellColouring::Triangles);
     window_->view().cameraController().viewFromTop();
-    const CellScale scale = partOf<CellsFeature>(*window_).model().scaleOf(0);
+    const CellScale scale = model().scaleOf(0);
     const QImage picture = window_->view().grabFramebuffer();
     for (std::size_t cell = 0; cell < 4; ++cell) QVERIFY(shareOf(picture, *scale.colourOf(cell)) > 0.01);
     QVERIFY(partOf<CellLegend>(*window_).text().contains("triangles"));
@@ -209,17 +207,17 @@ class TestCellsInView : public QObject {
     const QImage before = view.grabFramebuffer();
     const QImage bars = partOf<LoadPanel>(*window_).timeline().toPixmap().toImage();
     QTest::mouseMove(&view, right);
-    QTRY_VERIFY((partOf<CellsFeature>(*window_).model().hovered() == CellId{0, *cell}));
+    QTRY_VERIFY((model().hovered() == CellId{0, *cell}));
     QVERIFY(view.grabFramebuffer() != before);
     QVERIFY(partOf<LoadPanel>(*window_).timeline().toPixmap().toImage() != bars);
-    partOf<CellsFeature>(*window_).model().setHovered({});
+    model().setHovered({});
     QCOMPARE(view.grabFramebuffer(), before);
     // The other way round.
     TimelinePlot& plot = partOf<LoadPanel>(*window_).timeline();
     plot.replot();
     const Timeline::Bar& bar = plot.timeline().bars.front();
     QTest::mouseMove(&plot, plot.placeOf(bar).toPoint());
-    QTRY_COMPARE(partOf<CellsFeature>(*window_).model().hovered(), bar.cell);
+    QTRY_COMPARE(model().hovered(), bar.cell);
     QVERIFY(view.grabFramebuffer() != before);
   }
 
@@ -234,7 +232,7 @@ class TestCellsInView : public QObject {
     const auto cell = view.cellAt(place);
     QVERIFY(cell.has_value());
     QTest::mouseClick(&view, Qt::LeftButton, Qt::NoModifier, place);
-    QVERIFY((partOf<CellsFeature>(*window_).model().selected() == CellId{0, *cell}));
+    QVERIFY((model().selected() == CellId{0, *cell}));
     QVERIFY(!(view.cameraController().pose().position == start.position));
     QCOMPARE(view.cameraController().pose().orientation, start.orientation);
     // The cell fills the view: its middle is in the middle.
@@ -247,27 +245,27 @@ class TestCellsInView : public QObject {
     QCoreApplication::sendEvent(&view, &move);
     QTest::mouseRelease(&view, Qt::LeftButton, Qt::NoModifier, place + QPoint(60, 10));
     QVERIFY(view.cameraController().pose().orientation != framed.orientation);
-    QVERIFY((partOf<CellsFeature>(*window_).model().selected() == CellId{0, *cell}));
+    QVERIFY((model().selected() == CellId{0, *cell}));
   }
 
   void aBlockFromTheCacheKeepsItsFigures() {
     QVERIFY(openGrid());
-    const auto run = partOf<CellsFeature>(*window_).model().blocks()[0].run;
+    const auto run = model().blocks()[0].run;
     window_->document().setValue(window_->document().filters().back().id, 0, 1, 1);  // The filter is behind Collapse.
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().finishedRun()->result.blocks.empty());
-    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
-    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks()[0].run, run);
+    QCOMPARE(model().blocks().size(), std::size_t{1});
+    QCOMPARE(model().blocks()[0].run, run);
     // The block goes, the cells go, and both come back.
     const auto id = [this](std::size_t row) { return window_->document().filters()[row].id; };
     window_->document().setEnabled(id(0), false);
     window_->document().setEnabled(id(3), false);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(partOf<CellsFeature>(*window_).model().empty());
+    QVERIFY(model().empty());
     window_->document().undoStack()->undo();
     window_->document().undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(partOf<CellsFeature>(*window_).model().blocks().size(), std::size_t{1});
+    QCOMPARE(model().blocks().size(), std::size_t{1});
   }
 
   void runningInParallelIsOneEdit() {
@@ -284,8 +282,7 @@ class TestCellsInView : public QObject {
     QCOMPARE(window_->document().filters()[4].id, clearance);  // rows keep their identity
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(!partOf<LoadPanel>(*window_).showsEmptyState());
-    QVERIFY2(partOf<FilterList>(*window_).rows()[1]->figuresText().contains("1 cell"),
-             qPrintable(partOf<FilterList>(*window_).rows()[1]->figuresText()));
+    QVERIFY(partOf<FilterList>(*window_).rows()[1]->figuresText().contains("1 cell"));
     window_->document().undoStack()->undo();
     QCOMPARE(filterNames(*window_), before);
     QVERIFY(!window_->document().undoStack()->canUndo());
@@ -311,11 +308,11 @@ class TestCellsInView : public QObject {
     window_->document().setEnabled(window_->document().filters()[0].id, false);
     window_->document().setEnabled(window_->document().filters()[3].id, false);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(partOf<CellsFeature>(*window_).model().empty());
+    QVERIFY(model().empty());
     const auto run = window_->controller().finishedRun();
     QTest::mouseClick(partOf<FilterList>(*window_).rows()[0]->previewButton(), Qt::LeftButton);
-    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().previewing());
-    QCOMPARE(partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size(), std::size_t{4});
+    QTRY_VERIFY(model().previewing());
+    QCOMPARE(model().shownBlock()->report.cells.size(), std::size_t{4});
     QVERIFY(window_->view().parts().cells);  // Cells were requested.
     QCOMPARE(window_->controller().finishedRun(), run);
     QVERIFY(!partOf<FilterList>(*window_).rows()[1]->previewButton());
@@ -325,14 +322,14 @@ class TestCellsInView : public QObject {
     QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);  // refused, until there is a Collapse
-    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().previewing());
-    const std::size_t cells = partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size();
+    QTRY_VERIFY(model().previewing());
+    const std::size_t cells = model().shownBlock()->report.cells.size();
     window_->document().setValue(window_->document().filters()[1].id, 0, 7, 1);
-    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().shownBlock()->report.cells.size() != cells);
-    QVERIFY(partOf<CellsFeature>(*window_).model().previewing());
+    QTRY_VERIFY(model().shownBlock()->report.cells.size() != cells);
+    QVERIFY(model().previewing());
     window_->document().undoStack()->undo();
     window_->document().undoStack()->undo();
-    QTRY_VERIFY(!partOf<CellsFeature>(*window_).model().previewing());
+    QTRY_VERIFY(!model().previewing());
   }
 
   void previewsDoNotBlockAndTheLastOneWins() {
@@ -387,8 +384,7 @@ class TestCellsInView : public QObject {
     tick.setInterval(5);
     connect(&tick, &QTimer::timeout, this, [&] { longest = std::max(longest, clock.restart()); });
     tick.start();
-    QTRY_VERIFY_WITH_TIMEOUT(partOf<CellsFeature>(*window_).model().previewing() && window_->cellWatch().upToDate(),
-                             20000);
+    QTRY_VERIFY_WITH_TIMEOUT(model().previewing() && window_->cellWatch().upToDate(), 20000);
     qInfo("60,552 triangles: the window answered after at most %lld ms", longest);
     QVERIFY(longest < 1500);  // far above what it takes: a busy machine is no failure
   }
@@ -453,10 +449,8 @@ class TestCellsInView : public QObject {
     second.open(path);
     QVERIFY(QTest::qWaitFor([&] { return second.controller().finishedRun() != nullptr; }, 20000));
     const CellsShown shown = partOf<CellsFeature>(second).shown();
-    QVERIFY(shown.inView && shown.load);
-    QVERIFY(shown.colouring == CellColouring::Time);
-    QVERIFY(second.view().parts().cells);
-    QVERIFY(partOf<LoadPanel>(second).isVisible());
+    QVERIFY(shown.inView && shown.load && shown.colouring == CellColouring::Time);
+    QVERIFY(second.view().parts().cells && partOf<LoadPanel>(second).isVisible());
 
     const QByteArray wrong = readFile(path).replace("\"time\"", "\"mood\"");
     bool refused = false;
@@ -473,9 +467,9 @@ class TestCellsInView : public QObject {
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->openWith(writeFile(folder_, "floor.obj", floorObj()), parsePipeline("SlopeFilter 45\n", "test"), {});
     QVERIFY(QTest::qWaitFor([&] { return window_->controller().upToDate(); }, 20000));
-    QTRY_VERIFY(partOf<CellsFeature>(*window_).model().empty());
-    QVERIFY(partOf<LoadPanel>(*window_).showsEmptyState());
-    QVERIFY(partOf<LoadPanel>(*window_).parallelButton()->isVisible());
+    QTRY_VERIFY(model().empty());
+    const LoadPanel& load = partOf<LoadPanel>(*window_);
+    QVERIFY(load.showsEmptyState() && load.parallelButton()->isVisible());
   }
 
   void overlaysDoNotMeet_data() {
@@ -492,11 +486,12 @@ class TestCellsInView : public QObject {
     const QRect cells = partOf<CellLegend>(*window_).geometry();
     QVERIFY(window_->view().rect().contains(cells));
     QVERIFY(!cells.intersects(partOf<HeightSlider>(*window_).geometry()));
-    const auto* legend = window_->findChild<Legend*>();
-    QVERIFY(!legend->isVisible() || !cells.intersects(legend->geometry()));
+    const auto& legend = partOf<Legend>(*window_);
+    QVERIFY(!legend.isVisible() || !cells.intersects(legend.geometry()));
   }
 
  private:
+  [[nodiscard]] CellModel& model() const { return partOf<CellsFeature>(*window_).model(); }
   bool openGrid() { return openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), kGrid); }
 
   QTemporaryDir folder_;
