@@ -231,7 +231,7 @@ class TestWalker : public QObject {
     EditorWindow empty;
     empty.setRemembering(false);
     empty.commands().find("tools.walk")->trigger();
-    QVERIFY(empty.statusLine().text().contains("nothing is walkable"));
+    QVERIFY(partOf<StatusLine>(empty).text().contains("nothing is walkable"));
     QVERIFY(!empty.commands().find("tools.walkPath")->isEnabled());
   }
 
