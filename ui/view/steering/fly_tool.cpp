@@ -7,7 +7,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kFaster = 4;
-constexpr double kWheelFactor = 1.25;
+constexpr double kSpeedFactor = 1.25;
 
 }  // namespace
 
@@ -19,7 +19,7 @@ FlyTool::FlyTool(LevelView& view, QObject* parent)
   connect(&input_, &SteeringInput::advanced, this, &FlyTool::advance);
   connect(&input_, &SteeringInput::looked, &camera_, &CameraController::lookBy);
   connect(&input_, &SteeringInput::wheelTurned, this, [this](double notches) {
-    speed_ *= std::pow(kWheelFactor, notches);
+    speed_ *= std::pow(kSpeedFactor, notches);
     emit speedChanged(speed_);
   });
   connect(&view_, &LevelView::toolChanged, this, [this] {

@@ -9,7 +9,7 @@
 namespace footfall::ui {
 namespace {
 
-constexpr int kMargin = 12;               // distance to the view's edges
+constexpr int kFrameMargin = 12;          // distance to the view's edges
 constexpr double kMuchOfView = 0.36;      // share of the view's width or height
 constexpr double kMuchOfArea = 1.0 / 12;  // share of both together
 
@@ -59,7 +59,8 @@ void OverlayFrame::showFold() {
 }
 
 QSize OverlayFrame::roomIn(const QSize& view) const {
-  return {std::max(0, view.width() - width() - 2 * kMargin), std::max(0, view.height() - height() - 2 * kMargin)};
+  return {std::max(0, view.width() - width() - 2 * kFrameMargin),
+          std::max(0, view.height() - height() - 2 * kFrameMargin)};
 }
 
 bool OverlayFrame::fitInto(const QSize& view) {
@@ -73,7 +74,7 @@ bool OverlayFrame::fitInto(const QSize& view) {
   adjustSize();
   if (!place_) return false;
   const QSize room = roomIn(view);
-  move(kMargin + qRound(place_->x() * room.width()), kMargin + qRound(place_->y() * room.height()));
+  move(kFrameMargin + qRound(place_->x() * room.width()), kFrameMargin + qRound(place_->y() * room.height()));
   return true;
 }
 
@@ -89,7 +90,9 @@ void OverlayFrame::mouseMoveEvent(QMouseEvent* event) {
   const QSize view = parentWidget()->size();
   const QSize room = roomIn(view);
   const QPoint to = pos() + event->pos() - *grip_;
-  const auto part = [](int at, int all) { return all > 0 ? std::clamp((at - kMargin) / double(all), 0.0, 1.0) : 0.0; };
+  const auto part = [](int at, int all) {
+    return all > 0 ? std::clamp((at - kFrameMargin) / double(all), 0.0, 1.0) : 0.0;
+  };
   place_ = QPointF(part(to.x(), room.width()), part(to.y(), room.height()));
   fitInto(view);
 }
