@@ -11,7 +11,7 @@ namespace footfall::ui {
 namespace {
 
 constexpr double kMetresPerFoot = 0.3048, kMillimetresPerMetre = 1000;
-constexpr double kMostPlain = 1e9;  // larger numbers use an exponent, because nobody reads their last digits
+constexpr double kMostWithoutExponent = 1e9;  // larger numbers use an exponent, because nobody reads their last digits
 
 // Rounds to twelve digits: 2 and not 1.9999999999999998, which a change of unit would leave.
 double tidy(double value) { return QString::number(value, 'g', 12).toDouble(); }
@@ -74,7 +74,7 @@ QString LevelUnits::lengthNumber(double length) const { return measureText(lengt
 QString LevelUnits::areaNumber(double area) const {
   const double shown = area * factor(Unit::Area);
   const double size = std::abs(shown);
-  if (size != 0 && (size < 1 || size >= kMostPlain)) return shortText(shown, 4);
+  if (size != 0 && (size < 1 || size >= kMostWithoutExponent)) return shortText(shown, 4);
   return fixedText(shown, size < 1000 ? 2 : 0);
 }
 

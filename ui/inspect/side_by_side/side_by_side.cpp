@@ -19,6 +19,8 @@ namespace {
 
 using Json = nlohmann::json;
 
+}  // namespace
+
 /// The letter in the upper edge of a view.
 class ViewLetter : public QLabel {
  public:
@@ -46,8 +48,6 @@ class ViewLetter : public QLabel {
     move((parentWidget()->width() - width()) / 2, 8);
   }
 };
-
-}  // namespace
 
 /// What there is while both are shown.
 struct SideBySide::Pair {

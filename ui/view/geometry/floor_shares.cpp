@@ -19,9 +19,9 @@ constexpr double kThinnest = 1e-7;  // share of the smaller area: triangles that
 constexpr double kDoubled = 0.5;    // share of a floor's area: a decal on a floor is no copy of it
 constexpr double kApart = 1e-3;  // share of a piece's extent: joined pieces may lie a little above or below their floor
 
-using Corners = std::array<Vec3, 3>;
+using CornerPlaces = std::array<Vec3, 3>;
 
-Corners cornersOf(const std::vector<Vec3>& vertices, const Triangle& t) {
+CornerPlaces cornerPlacesOf(const std::vector<Vec3>& vertices, const Triangle& t) {
   return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
@@ -30,11 +30,11 @@ double planCross(const Vec3& a, const Vec3& b, const Vec3& c) {
 }
 
 // Twice the area in the plan, above 0 where the triangle faces up.
-double planArea(const Corners& p) { return planCross(p[0], p[1], p[2]); }
+double planArea(const CornerPlaces& p) { return planCross(p[0], p[1], p[2]); }
 
-double areaOf(const Corners& p) { return detail::areaOf(p[0], p[1], p[2]); }
+double spaceAreaOf(const CornerPlaces& p) { return detail::areaOf(p[0], p[1], p[2]); }
 
-double heightAt(const Corners& p, double x, double y) {
+double heightAt(const CornerPlaces& p, double x, double y) {
   const double area = planArea(p);
   const Vec3 at{x, y, 0};
   return (planCross(p[1], p[2], at) * p[0].z + planCross(p[2], p[0], at) * p[1].z +
@@ -42,7 +42,7 @@ double heightAt(const Corners& p, double x, double y) {
          area;
 }
 
-bool isInside(const Corners& piece, const Corners& floor) {
+bool isInside(const CornerPlaces& piece, const CornerPlaces& floor) {
   const double area = planArea(floor);
   if (!(std::abs(area) > 0)) return false;
   return std::ranges::all_of(piece, [&](const Vec3& p) {
@@ -53,7 +53,7 @@ bool isInside(const Corners& piece, const Corners& floor) {
   });
 }
 
-Box boxOf(const Corners& p) {
+Box boxOf(const CornerPlaces& p) {
   const auto [x0, x1] = std::minmax({p[0].x, p[1].x, p[2].x});
   const auto [y0, y1] = std::minmax({p[0].y, p[1].y, p[2].y});
   const auto [z0, z1] = std::minmax({p[0].z, p[1].z, p[2].z});
@@ -61,7 +61,7 @@ Box boxOf(const Corners& p) {
 }
 
 // The part of the piece's area that lies over the floor, at its height.
-double shareOf(const Corners& piece, const Corners& floor, double slack) {
+double shareOf(const CornerPlaces& piece, const CornerPlaces& floor, double slack) {
   const double facing = planArea(floor) < 0 ? -1 : 1;
   std::array<Vec3, 9> polygon{piece[0], piece[1], piece[2]};
   std::size_t size = 3;
@@ -90,10 +90,10 @@ double shareOf(const Corners& piece, const Corners& floor, double slack) {
   const double all = std::abs(planArea(piece));
   if (!(std::abs(twice) > kThinnest * std::min(all, std::abs(planArea(floor))))) return 0;
   const double apart = std::abs(heightAt(piece, middle.x, middle.y) - heightAt(floor, middle.x, middle.y));
-  return apart <= slack ? std::abs(twice) / all * areaOf(piece) : 0;
+  return apart <= slack ? std::abs(twice) / all * spaceAreaOf(piece) : 0;
 }
 
-bool mayBeFloor(const Environment& environment, const Corners& corners) {
+bool mayBeFloor(const Environment& environment, const CornerPlaces& corners) {
   const double area = planArea(corners);
   return environment.bothSides ? area != 0 : area > 0;
 }
@@ -104,7 +104,7 @@ TriangleTree treeOf(const Environment& environment, IsIn isIn) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
-    const Corners corners = cornersOf(environment.vertices, environment.triangles[t]);
+    const CornerPlaces corners = cornerPlacesOf(environment.vertices, environment.triangles[t]);
     if (!mayBeFloor(environment, corners) || !isIn(t)) continue;
     boxes.push_back(boxOf(corners));
     ids.push_back(static_cast<std::int32_t>(t));
@@ -119,7 +119,7 @@ struct Surroundings {
   double slack = 0;  // pieces within this height above and below lie on the floor
 };
 
-Surroundings around(const Corners& piece) {
+Surroundings around(const CornerPlaces& piece) {
   Surroundings found;
   found.box = boxOf(piece);
   const Box& box = found.box;
@@ -148,7 +148,7 @@ std::vector<Item> inOrder(std::size_t count, Find find) {
 }  // namespace
 
 std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environment& environment) {
-  const auto pieceOf = [&](std::size_t t) { return cornersOf(mesh.vertices, mesh.triangles[t]); };
+  const auto pieceOf = [&](std::size_t t) { return cornerPlacesOf(mesh.vertices, mesh.triangles[t]); };
   const auto sourceOf = [&](std::size_t t) {
     return t < mesh.sourceTriangles.size() ? std::size_t{mesh.sourceTriangles[t]} : environment.triangles.size();
   };
@@ -157,20 +157,21 @@ std::vector<FloorShare> floorsUnder(const NavigationMesh& mesh, const Environmen
     for (std::size_t t = first; t < last; ++t) {
       const std::size_t source = sourceOf(t);
       inSource[t] = source < environment.triangles.size() &&
-                    isInside(pieceOf(t), cornersOf(environment.vertices, environment.triangles[source]));
+                    isInside(pieceOf(t), cornerPlacesOf(environment.vertices, environment.triangles[source]));
     }
   });
   TriangleTree tree;
   if (std::ranges::find(inSource, char{0}) != inSource.end())
     tree = treeOf(environment, [](std::size_t) { return true; });
   return inOrder<FloorShare>(inSource.size(), [&](std::size_t t, std::vector<std::int32_t>& stack, auto& shares) {
-    const Corners piece = pieceOf(t);
+    const CornerPlaces piece = pieceOf(t);
     const auto number = static_cast<std::uint32_t>(t);
-    if (inSource[t]) return shares.push_back({number, static_cast<std::uint32_t>(sourceOf(t)), areaOf(piece)});
+    if (inSource[t]) return shares.push_back({number, static_cast<std::uint32_t>(sourceOf(t)), spaceAreaOf(piece)});
     const Surroundings near = around(piece);
     tree.visitOverlapping(near.box, stack, [&](std::int32_t id) {
       const auto floor = static_cast<std::uint32_t>(id);
-      const double area = shareOf(piece, cornersOf(environment.vertices, environment.triangles[floor]), near.slack);
+      const double area =
+          shareOf(piece, cornerPlacesOf(environment.vertices, environment.triangles[floor]), near.slack);
       if (area > 0) shares.push_back({number, floor, area});
       return true;
     });
@@ -182,19 +183,20 @@ std::vector<DoubledFloor> doubledFloors(const std::vector<FloorShare>& shares, c
   for (const FloorShare& share : shares) named[share.floor] = true;
   const TriangleTree tree = treeOf(environment, [&](std::size_t t) { return bool(named[t]); });
   return inOrder<DoubledFloor>(named.size(), [&](std::size_t t, std::vector<std::int32_t>& stack, auto& doubled) {
-    const Corners floor = cornersOf(environment.vertices, environment.triangles[t]);
+    const CornerPlaces floor = cornerPlacesOf(environment.vertices, environment.triangles[t]);
     if (named[t] || !mayBeFloor(environment, floor)) return;
     const Surroundings near = around(floor);
     const std::size_t before = doubled.size();
     double area = 0;
     tree.visitOverlapping(near.box, stack, [&](std::int32_t id) {
       const auto other = static_cast<std::uint32_t>(id);
-      const double common = shareOf(floor, cornersOf(environment.vertices, environment.triangles[other]), near.slack);
+      const double common =
+          shareOf(floor, cornerPlacesOf(environment.vertices, environment.triangles[other]), near.slack);
       if (common > 0) doubled.push_back({static_cast<std::uint32_t>(t), other});
       area += common;
       return true;
     });
-    if (area < kDoubled * areaOf(floor)) doubled.resize(before);
+    if (area < kDoubled * spaceAreaOf(floor)) doubled.resize(before);
   });
 }
 
