@@ -1756,12 +1756,12 @@
         <translation>Nicht begehbar: zu nah an einer Kante</translation>
     </message>
     <message>
-        <source>Agents stay %2 away from ledges: drops and ends of the world; this place is %1 from the nearest one.</source>
-        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und Enden der Welt; dieser Ort ist %1 von der nächsten entfernt.</translation>
+        <source>Agents stay %2 away from ledges: drops and the ends of the level; this place is %1 from the nearest one.</source>
+        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und den Enden des Levels; dieser Ort ist %1 von der nächsten entfernt.</translation>
     </message>
     <message>
-        <source>Agents stay %2 away from ledges: drops and ends of the world.</source>
-        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und Enden der Welt.</translation>
+        <source>Agents stay %2 away from ledges: drops and the ends of the level.</source>
+        <translation>Agenten bleiben %2 von Kanten weg: Abgründen und den Enden des Levels.</translation>
     </message>
     <message>
         <source>Too near a ledge</source>
