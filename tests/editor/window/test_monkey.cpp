@@ -22,6 +22,8 @@
 
 #include "core/io/export.hpp"
 #include "core/pipeline/runner.hpp"
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
