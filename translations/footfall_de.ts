@@ -6801,7 +6801,7 @@ Grundriss %2, Höhe %3
 <context>
     <name>footfall::ui::PackedFeature</name>
     <message>
-        <source>Run on the &amp;visible part</source>
+        <source>Run on the visi&amp;ble part</source>
         <translation>Auf dem &amp;sichtbaren Teil ausführen</translation>
     </message>
     <message>
@@ -8794,7 +8794,7 @@ Material: %2</translation>
 <context>
     <name>footfall::ui::WalkFeature</name>
     <message>
-        <source>&amp;Walk</source>
+        <source>Wal&amp;k</source>
         <translation>&amp;Gehen</translation>
     </message>
     <message>
@@ -8802,7 +8802,7 @@ Material: %2</translation>
         <translation>Über das Ergebnis gehen, mit den Augen des Agenten</translation>
     </message>
     <message>
-        <source>Walk the pa&amp;th</source>
+        <source>Walk the pat&amp;h</source>
         <translation>Den We&amp;g gehen</translation>
     </message>
     <message>

@@ -208,7 +208,7 @@ layers: shape (m,), integers from 0, or None. Raises InputError.)",
 where no layer filter ran. A view.)")
       .def_property_readonly(
           "layer_count", [](const Mesh& m) { return m.data->layerCount; }, "How many layers.")
-      .def(
+      .def_property_readonly(
           "least_layers", [](const Mesh& m) { return leastLayers(*m.data); },
           "A proven lower bound of `layer_count`: the most triangles that were found over one place.")
       .def_property_readonly(

@@ -61,7 +61,7 @@ PackedFeature::PackedFeature(const FeatureHost& host, QStatusBar& bar, LevelView
       {QStringLiteral("pipeline.runHere"),
        CommandMenu::Pipeline,
        QStringLiteral("runs"),
-       tr("Run on the &visible part"),
+       tr("Run on the visi&ble part"),
        tr("Run the filters on the part in the middle of the view, in an environment that is too large to run whole"),
        {QKeySequence(Qt::SHIFT | Qt::Key_F5)}},
       [this](bool) { runHere(); });

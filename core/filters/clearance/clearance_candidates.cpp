@@ -34,10 +34,13 @@ struct GridSquare {
 /// All squares of an OpenGrid, in an order of which every beginning spreads over the grid.
 constexpr auto kSpreadSquares = [] {
   std::array<GridSquare, OpenGrid::kSquares * OpenGrid::kSquares> squares{};
-  for (std::size_t i = 0; i < squares.size(); ++i)
-    for (std::size_t bit = 0, half = OpenGrid::kSquares / 2; half > 0; bit += 2, half /= 2) {
-      squares[i].column = static_cast<std::uint8_t>(squares[i].column + (i >> bit & 1) * half);
-      squares[i].row = static_cast<std::uint8_t>(squares[i].row + (i >> (bit + 1) & 1) * half);
+  // Each turn fills three quarters around those that are there, half as far away as the turn before.
+  for (std::size_t count = 1, half = OpenGrid::kSquares / 2; half > 0; count *= 4, half /= 2)
+    for (std::size_t i = count; i < 4 * count; ++i) {
+      const GridSquare& from = squares[i % count];
+      const std::size_t quarter = i / count;
+      squares[i].column = static_cast<std::uint8_t>(from.column + (quarter & 1) * half);
+      squares[i].row = static_cast<std::uint8_t>(from.row + (quarter >> 1) * half);
     }
   return squares;
 }();

@@ -33,6 +33,9 @@ class TestLookInside : public QObject {
     QVERIFY(openZUp(*window_, house_, kPipeline));
     QVERIFY(view().environmentGeometry()->covered);
     view().cameraController().viewOblique();
+    view().cameraController().endGlide();
+    view().cameraController().fit();
+    view().cameraController().endGlide();
     const Vec3 roof{0, 0, 3.2}, wall{0, -2, 1.5};
     QVERIFY(view().inside());
     const QImage open = picture();

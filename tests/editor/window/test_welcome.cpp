@@ -139,7 +139,8 @@ class TestWelcome : public QObject {
     other.resize(1100, 800);
     QVERIFY(showWindow(other));
     other.offerRestoring();
-    QVERIFY(!partOf<MessageBar>(other).isVisible());  // it was closed properly
+    // It was closed properly.
+    QVERIFY2(!partOf<MessageBar>(other).isVisible(), qPrintable(partOf<MessageBar>(other).text()));
     QPushButton* button = partOf<WelcomePage>(other).continueButton();
     QVERIFY(button->isVisible());
     QVERIFY(button->text().contains("table.obj"));

@@ -117,7 +117,7 @@ class TestDropPipelines : public QObject {
     QTest::newRow("infinite reach") << "VerticalClearanceFilter 2\nDropFilter 1 inf\n"
                                     << "p:2:14: ";
     QTest::newRow("in a block") << "GridStrategy 2 2\nVerticalClearanceFilter 2\nDropFilter 1\nCollapse\n"
-                                << "p:3:1: DropFilter sees across cells";
+                                << "p:3:1: DropFilter needs all cells";
     for (const char* last : {"VerticalClearanceFilter 2", "RoundingFilter", "SimplificationFilter", "StepFilter 1",
                              "RadiusFilter 1", "LayerSubdivisionFilter", "SlopeFilter 45", "DuplicationFilter 0"})
       QTest::newRow(last) << QString("VerticalClearanceFilter 2\nDropFilter 1\n%1\n").arg(last)

@@ -182,7 +182,7 @@ class TestReachableFilter : public QObject {
     QTest::newRow("too large") << "ReachableFilter 1 2 1e999\n"
                                << "p:1:21: ";
     QTest::newRow("in a block") << "GridStrategy 2 2\nReachableFilter 1 2 3\nCollapse\n"
-                                << "p:2:1: ReachableFilter sees across cells";
+                                << "p:2:1: ReachableFilter needs all cells";
   }
 
   void messagesOfPipelines() {

@@ -13,13 +13,13 @@ WalkFeature::WalkFeature(const FeatureHost& host, LevelView& view, PathModel& mo
   host.tools.add({QStringLiteral("tools.walk"),
                   CommandMenu::Tools,
                   QStringLiteral("camera"),
-                  tr("&Walk"),
+                  tr("Wal&k"),
                   tr("Walk over the result in first person, as tall as the agent"),
                   {QKeySequence(Qt::SHIFT | Qt::Key_W)},
                   QStringLiteral("walk")},
                  &tool_);
   play_ = host.commands.add({QStringLiteral("tools.walkPath"), CommandMenu::Tools, QStringLiteral("tools"),
-                             tr("Walk the pa&th"), tr("Let somebody of the agent's size walk the path of Try it")},
+                             tr("Walk the pat&h"), tr("Let somebody of the agent's size walk the path of Try it")},
                             [this](bool) { walker_.setPlaying(!walker_.isPlaying()); });
   connect(&walker_, &Walker::changed, this, [this] { play_->setEnabled(!walker_.track().isEmpty()); });
   play_->setEnabled(false);

@@ -55,7 +55,7 @@ void ViewLayout::place(const QSize& view) const {
     if (cellsInCorner && shown(cells_) && cells_->x() < right) bottom = cells_->y() - kGap;
   }
   // The heights leave more than half of the height free in a small view.
-  const int most = std::max(heights_->minimumSizeHint().height(), std::min(wanted.height(), view.height() * 3 / 8));
+  const int most = std::max(heights_->minimumSizeHint().height(), std::min(wanted.height(), view.height() / 3));
   heights_->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   if (hint_) {
     constexpr int kNarrow = 240;  // narrower lines would be broken too often
