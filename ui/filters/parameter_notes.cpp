@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "footfall/filter.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/filter_text.hpp"
 #include "ui/base/localized_numbers.hpp"

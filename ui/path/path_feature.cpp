@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
 
