@@ -426,8 +426,8 @@ void EditorWindow::closeEvent(QCloseEvent* event) {
     event->ignore();
     return;
   }
-  sessions_->close();
   if (sessions_->remembering()) layout_->save();
+  sessions_->close();
   QMainWindow::closeEvent(event);
 }
 
