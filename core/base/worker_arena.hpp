@@ -13,7 +13,7 @@ namespace footfall::detail {
 inline constexpr int kMostThreads = 1024;
 
 /// Calls `work(n)` where parallel loops use at most n threads: `threads`, or as many as the machine has when that is 0.
-/// Where that is more than the machine has, more threads are made. Exceptions pass through. Throws InputError for a
+/// A number above that of the machine's processors makes more threads. Exceptions pass through. Throws InputError for a
 /// number of threads that is negative or above kMostThreads. Thread-safe.
 void runOnThreads(int threads, const std::function<void(int)>& work);
 

@@ -461,7 +461,7 @@ void RankExchange::fail(const std::string& problem, RankFailure kind) noexcept {
         post(0, std::string{static_cast<char>(Kind::Failed), static_cast<char>(kind)} + problem);
     }
   } catch (const std::exception&) {
-    // Without memory for a message, the other ranks notice that this rank falls silent.
+    // There is no memory for a message here; the other ranks notice that this rank falls silent.
   }
   close();
 }

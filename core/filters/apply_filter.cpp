@@ -48,7 +48,7 @@ StatePtr makeInitialState(std::shared_ptr<const Environment> environment, RunCon
   return state;
 }
 
-// Without a default, so that a filter that is left out does not compile.
+// The switch has no default, so that a filter that is left out does not compile.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
 FilterOutcome applyFilter(const FilterDescriptor& filter, const std::vector<double>& values, const StatePtr& state,

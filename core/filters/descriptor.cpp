@@ -14,7 +14,7 @@ using namespace detail;
 
 using Description = FilterDescriptor (*)();
 
-// Without a default, so that a type without a description does not compile.
+// The switch has no default, so that a type without a description does not compile.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
 constexpr Description descriptionOf(FilterType type) {

@@ -12,7 +12,7 @@
 
 namespace footfall::detail {
 
-// Without a default, so that a type that is left out does not compile.
+// The switch has no default, so that a type that is left out does not compile.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic error "-Wswitch"
 FaceTest makeFaceTest(const FilterDescriptor& filter, const std::vector<double>& values,

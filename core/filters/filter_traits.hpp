@@ -1,5 +1,5 @@
-// What other code decides by about a filter. The descriptor of each filter has one FilterTraits, so that a new filter
-// is described in one place. SPDX-License-Identifier: GPL-3.0-or-later
+// The facts about a filter that other code decides by. The descriptor of each filter has one FilterTraits, so that a
+// new filter is described in one place. SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>
@@ -97,7 +97,8 @@ struct FilterTraits {
   /// How far the step may move what it does not remove.
   Reach (*reach)(StepValues values);
   TileUse (*tileUse)(StepValues values);
-  /// For steps whose use in tiles is Never: "%1: %2 ...; what to do"; %1 is the place of the step, %2 its filter.
+  /// The message about steps whose use in tiles is Never: "%1: %2 ...; what to do"; %1 is the place of the step, %2 its
+  /// filter.
   Pattern tileProblem;
   /// Checks the values of a step against each other: what is wrong and what to do, where %1 is the name of the filter;
   /// an empty text when nothing is.

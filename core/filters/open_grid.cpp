@@ -61,7 +61,7 @@ class Slices {
     return {result.low - error_, result.high + error_};
   }
 
-  /// Where the sides pass a height: all between the two, taken in by the margins, lies inside there.
+  /// The places at which the sides pass a height. All between the two, taken in by the margins, lies inside there.
   [[nodiscard]] Interval insideAt(double y) const {
     Interval result;
     for (std::size_t k = 0; k < 3; ++k) {

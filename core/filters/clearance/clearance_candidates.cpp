@@ -249,7 +249,7 @@ void ClearanceCandidates::closeSquares(const ClearanceCandidate& candidate) {
     openSquares_->cover(outlineInPlan(kernel_, candidate.obstacle, mesh_.triangles[face_][0]));
 }
 
-// In a deep crowd most floors are covered many times over, and a few obstacles prove it. Squares are tested in a
+// Most floors of a deep crowd are covered many times over, and a few obstacles prove it. Squares are tested in a
 // scattered order, so that floors with an open square are found soon.
 bool ClearanceCandidates::proveCover() {
   const Index origin = mesh_.triangles[face_][0];

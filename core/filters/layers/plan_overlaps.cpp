@@ -157,7 +157,7 @@ class OverlapFinder {
     }
   }
 
-  // Of the pairs from `first` on, drops those that are known.
+  // Drops the known ones of the pairs from `first` on.
   void keepNew(std::size_t first, PairSet& known) {
     std::size_t kept = first;
     for (std::size_t i = first; i < pairs_.size(); ++i) {
