@@ -154,7 +154,7 @@ void SessionFiles::close() {
   if (!remembering_) return;
   keep();
   keeper_.close();
-  remembering_ = false;  // a change that is saved after this would look like a session that was lost
+  keepTimer_.stop();  // a change that is saved after this would look like a session that was lost
 }
 
 // Offers the newest session first, or that of a file; one click leads to the others.
