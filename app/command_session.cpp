@@ -14,6 +14,13 @@
 
 namespace footfall::app {
 using namespace detail;
+namespace {
+
+std::size_t enabledSteps(const Pipeline& pipeline) {
+  return static_cast<std::size_t>(std::ranges::count(pipeline.steps, true, &PipelineStep::enabled));
+}
+
+}  // namespace
 
 CommandSession::CommandSession(int threads, bool quiet, bool showsBar)
     : threads_(threads),
@@ -40,7 +47,7 @@ std::shared_ptr<const Environment> CommandSession::load(const EnvironmentOptions
 
 RunResult CommandSession::run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                               const PipelineOptions& options, ResultCache* cache, CellExchange* exchange) {
-  begin("starting", static_cast<std::size_t>(std::ranges::count(pipeline.steps, true, &PipelineStep::enabled)));
+  begin("starting", enabledSteps(pipeline));
   try {
     if (exchange != nullptr) return runTogether(environment, pipeline, context_, *exchange, threads_);
     return runPipeline(environment, pipeline, context_, cache, threads_);
@@ -49,6 +56,16 @@ RunResult CommandSession::run(const std::shared_ptr<const Environment>& environm
     if (options.file.empty()) throw;
     throw InputError(options.file + ": " + error.what());
   }
+}
+
+void CommandSession::runAgents(const std::shared_ptr<const Environment>& environment, std::span<const Agent> agents,
+                               const std::function<void(std::size_t agent, const AgentRun& run)>& finished) {
+  AgentRunEvents events;
+  events.started = [this](std::size_t /*agent*/, const Pipeline& pipeline) {
+    begin("starting", enabledSteps(pipeline));
+  };
+  events.finished = finished;
+  footfall::runAgents(environment, agents, context_, events, nullptr, threads_);
 }
 
 void print(const std::string& text) {

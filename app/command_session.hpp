@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "app/command_options.hpp"
@@ -11,6 +14,7 @@
 #include "app/progress_bar.hpp"
 #include "core/base/worker_arena.hpp"
 #include "core/distributed/cell_exchange.hpp"
+#include "footfall/agent_list.hpp"
 #include "footfall/run.hpp"
 
 namespace footfall::app {
@@ -35,6 +39,9 @@ class CommandSession {
   /// Runs the pipeline, with `exchange` as runTogether(); errors name its file.
   RunResult run(const std::shared_ptr<const Environment>& environment, const Pipeline& pipeline,
                 const PipelineOptions& options, ResultCache* cache = nullptr, detail::CellExchange* exchange = nullptr);
+  /// Runs the agents as footfall::runAgents() does, and calls `finished` with each.
+  void runAgents(const std::shared_ptr<const Environment>& environment, std::span<const Agent> agents,
+                 const std::function<void(std::size_t agent, const AgentRun& run)>& finished);
 
  private:
   int threads_;

@@ -14,6 +14,7 @@
 #pragma once
 
 #include "footfall/agent.hpp"
+#include "footfall/agent_list.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/corridor_map.hpp"
 #include "footfall/edit.hpp"
