@@ -968,6 +968,10 @@
         <translation>Dreieck %1 gibt es nicht; das Netz hat %2</translation>
     </message>
     <message>
+        <source>the place does not lie in triangle %1; give a place of this mesh</source>
+        <translation>der Ort liegt nicht im Dreieck %1; einen Ort dieses Netzes angeben</translation>
+    </message>
+    <message>
         <source>agent: %1</source>
         <translation>Agent: %1</translation>
     </message>

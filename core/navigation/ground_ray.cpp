@@ -178,6 +178,14 @@ class RayWalk {
   bool isReached_ = false;
 };
 
+/// Returns whether a point lies in a triangle or on its border, in the plan.
+bool liesIn(const NavigationMesh& surface, std::uint32_t triangle, const Vec3& point) {
+  const Triangle& corners = surface.triangles[triangle];
+  for (std::size_t i = 0; i < 3; ++i)
+    if (facing(surface.vertices[corners[i]], surface.vertices[corners[(i + 1) % 3]], point) < 0) return false;
+  return true;
+}
+
 void checkFinite(std::initializer_list<Vec3> places) {
   for (const Vec3& p : places)
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
@@ -201,6 +209,8 @@ GroundRay castRayFrom(const PathFinder& finder, const SurfacePlace& start, const
   if (start.triangle >= ground.mesh->triangles.size())
     throw InputError(FOOTFALL_TEXT("there is no triangle %1; the mesh has %2"), start.triangle,
                      ground.mesh->triangles.size());
+  if (!liesIn(*ground.surface, start.triangle, start.position))
+    throw InputError(FOOTFALL_TEXT("the place does not lie in triangle %1; give a place of this mesh"), start.triangle);
   return RayWalk(ground, start.position, to).walk(start, Poll(context));
 }
 

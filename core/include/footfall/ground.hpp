@@ -58,7 +58,7 @@ std::optional<GroundRay> castRay(const PathFinder& finder, const Vec3& from, con
 
 /// The same from a place that is known, such as the end of another ray: it starts in the triangle of `start`, whatever
 /// else lies there, so that rays in a row never pass a wall without thickness. Throws InputError for a coordinate that
-/// is not finite, or a triangle that the mesh does not have, and Cancelled.
+/// is not finite, a triangle that the mesh does not have, or a place that does not lie in its triangle, and Cancelled.
 GroundRay castRayFrom(const PathFinder& finder, const SurfacePlace& start, const Vec3& to,
                       const RunContext* context = nullptr);
 

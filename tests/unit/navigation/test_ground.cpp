@@ -133,6 +133,9 @@ class TestGround : public QObject {
     QVERIFY_THROWS_EXCEPTION(InputError, castRayFrom(finder, wrong, {NAN, 1, 0}));
     wrong.triangle = static_cast<std::uint32_t>(finder.mesh().triangles.size());
     QVERIFY_THROWS_EXCEPTION(InputError, castRayFrom(finder, wrong, {1, 1, 0}));
+    SurfacePlace outside = *finder.locate({1, 1, 0});
+    outside.position.x = 100;
+    QVERIFY_THROWS_EXCEPTION(InputError, castRayFrom(finder, outside, {1, 1, 0}));
   }
 
   void raysDoNotPassThroughPoints() {
