@@ -90,6 +90,9 @@ typedef struct footfall_numbers {
   size_t count;
 } footfall_numbers;
 
+/* Stands where there is no number. */
+#define FOOTFALL_NONE UINT32_MAX
+
 /* --- Progress and cancelling ---------------------------------------------------------------------------------------
  */
 
@@ -205,7 +208,16 @@ FOOTFALL_API footfall_status footfall_walkable_area(const footfall_environment* 
 FOOTFALL_API footfall_status footfall_run(const footfall_environment* environment, const char* pipeline,
                                           footfall_cache* cache, footfall_context* context, int threads,
                                           footfall_result** result);
+/* Runs the pipelines of `count` agents, one after the other, and computes a step that several pipelines begin with
+ * once. results[i] belongs to agents[i] and has the bytes of a run of its own. `cache` (NULL: one for this call alone)
+ * and `context` may be NULL. After an error, no result is left behind. */
+FOOTFALL_API footfall_status footfall_run_agents(const footfall_environment* environment, const footfall_agent* agents,
+                                                 size_t count, footfall_cache* cache, footfall_context* context,
+                                                 int threads, footfall_result** results);
 FOOTFALL_API void footfall_free_result(footfall_result* result);
+
+/* How many steps of the pipeline the run computed. It took the others from its cache, or from the agents before. */
+FOOTFALL_API size_t footfall_result_computed_steps(const footfall_result* result);
 
 /* The navigation mesh: vertices are shared by number exactly where an agent can cross. */
 FOOTFALL_API footfall_points footfall_result_vertices(const footfall_result* result);
@@ -362,6 +374,48 @@ FOOTFALL_API int footfall_path_barrier(const footfall_path* path, footfall_barri
 FOOTFALL_API void footfall_free_path(footfall_path* path);
 FOOTFALL_API void footfall_free_path_finder(footfall_path_finder* finder);
 
+/* --- Places and straight ways ---------------------------------------------------------------------------------------
+ */
+
+/* A walkable place. */
+typedef struct footfall_place {
+  double position[3];
+  uint32_t triangle; /* of the result; FOOTFALL_NONE: there is no such place, and the other members are 0 */
+  double distance;   /* from the point that was given */
+} footfall_place;
+
+/* The walkable place straight above or below a point (x, y, z) that is nearest to it, as far away as the pipeline's
+ * agent is high. */
+FOOTFALL_API footfall_status footfall_place_at(const footfall_path_finder* finder, const double point[3],
+                                               footfall_place* place);
+/* The walkable place that is nearest to a point, in space. */
+FOOTFALL_API footfall_status footfall_nearest_place(const footfall_path_finder* finder, const double point[3],
+                                                    footfall_place* place);
+/* Writes `count` random places, evenly by the area of the surface. The same `seed` gives the same places on every
+ * machine. An error where nothing is walkable. */
+FOOTFALL_API footfall_status footfall_random_places(const footfall_path_finder* finder, size_t count, uint64_t seed,
+                                                    footfall_place* places);
+
+/* A straight way over the ground, seen from above. */
+typedef struct footfall_ray {
+  footfall_place start;
+  footfall_place end; /* the last walkable place: at the target, or on the border that stops the ray; its distance is
+                         that to the target in the plan */
+  int reached;        /* not 0: the whole way is walkable */
+  double plan_length; /* from start to end */
+  uint32_t border[2]; /* the vertices of the edge that stops the ray; FOOTFALL_NONE at a corner, or where none does */
+} footfall_ray;
+
+/* Walks straight, seen from above, from the walkable place at `from` (footfall_place_at()) towards `to`, whose height
+ * is not used: over edges, steps and gaps, never over drops, up to the first border. start.triangle and end.triangle
+ * are FOOTFALL_NONE where no walkable place is at `from`. `context` may be NULL. */
+FOOTFALL_API footfall_status footfall_cast_ray(const footfall_path_finder* finder, const double from[3],
+                                               const double to[3], footfall_context* context, footfall_ray* ray);
+/* The same from a place that is known, such as the end of another ray. It starts in the triangle of `start`, whatever
+ * else lies there, so that rays in a row never pass a wall without thickness. */
+FOOTFALL_API footfall_status footfall_cast_ray_from(const footfall_path_finder* finder, const footfall_place* start,
+                                                    const double to[3], footfall_context* context, footfall_ray* ray);
+
 /* --- Why a place is walkable or not
  * ------------------------------------------------------------------------------------- */
 
@@ -382,8 +436,6 @@ typedef enum footfall_verdict {
   FOOTFALL_TOO_NEAR_LEDGE = 11,  /* the radius filter, and no wall is too near */
   FOOTFALL_REMOVED = 12          /* another filter removed it: that of `step` */
 } footfall_verdict;
-
-#define FOOTFALL_NONE UINT32_MAX
 
 typedef struct footfall_explanation {
   footfall_verdict verdict;

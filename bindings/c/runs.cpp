@@ -75,7 +75,32 @@ footfall_status footfall_run(const footfall_environment* environment, const char
   });
 }
 
+footfall_status footfall_run_agents(const footfall_environment* environment, const footfall_agent* agents, size_t count,
+                                    footfall_cache* cache, footfall_context* context, int threads,
+                                    footfall_result** results) {
+  return guarded(__func__, [&] {
+    const std::shared_ptr<const Environment>& level = given(environment, "environment").environment;
+    given(agents, "agents");
+    given(results, "results");
+    std::vector<Agent> list;
+    for (std::size_t i = 0; i < count; ++i) list.push_back(agentOf(agents + i));
+    RunContext ownContext;
+    std::vector<std::unique_ptr<footfall_result>> made;
+    AgentRunEvents events;
+    events.finished = [&](std::size_t /*agent*/, AgentRun run) {
+      made.push_back(
+          std::unique_ptr<footfall_result>(new footfall_result{level, std::move(run.pipeline), std::move(run.result)}));
+    };
+    runAgents(level, list, context == nullptr ? ownContext : context->context, events, cacheOf(cache), threads);
+    for (std::size_t i = 0; i < count; ++i) results[i] = made[i].release();
+  });
+}
+
 void footfall_free_result(footfall_result* result) { delete result; }
+
+size_t footfall_result_computed_steps(const footfall_result* result) {
+  return result == nullptr ? 0 : computedSteps(result->run);
+}
 
 footfall_points footfall_result_vertices(const footfall_result* result) {
   return result == nullptr ? footfall_points{} : spanOf(result->mesh().vertices);

@@ -359,6 +359,88 @@ static void testPaths(void) {
   footfall_free_path_finder(finder);
 }
 
+/* Both results have the same arrays, byte by byte. */
+static int isSameMesh(const footfall_result* first, const footfall_result* second) {
+  const footfall_points a = footfall_result_vertices(first), b = footfall_result_vertices(second);
+  const footfall_triangles s = footfall_result_triangles(first), t = footfall_result_triangles(second);
+  return a.count == b.count && s.count == t.count && s.count > 0 &&
+         memcmp(a.data, b.data, 3 * a.count * sizeof *a.data) == 0 &&
+         memcmp(s.data, t.data, 3 * s.count * sizeof *s.data) == 0;
+}
+
+static void testAgents(void) {
+  footfall_environment* level = makeLevel();
+  footfall_agent agents[3] = {
+      {45, 1.8, 1, 0, 0.05, 0, 0}, {45, 0.9, 1, 0, 0.05, 0.3, 0}, {45, 1.8, 1, 0.5, 0.05, 0, 0}};
+  footfall_result* results[3] = {NULL, NULL, NULL};
+  CHECK_OK(footfall_run_agents(level, agents, 3, NULL, NULL, 0, results));
+  for (int i = 0; i < 3; ++i) {
+    footfall_result* alone = NULL;
+    CHECK_OK(footfall_walkable_area(level, &agents[i], NULL, 0, &alone));
+    CHECK(isSameMesh(results[i], alone));
+    CHECK(footfall_result_computed_steps(results[i]) > 0);
+    CHECK(i == 0 ? footfall_result_computed_steps(results[i]) == footfall_result_computed_steps(alone)
+                 : footfall_result_computed_steps(results[i]) < footfall_result_computed_steps(alone));
+    footfall_free_result(alone);
+    footfall_free_result(results[i]);
+    results[i] = NULL;
+  }
+  CHECK(footfall_result_computed_steps(NULL) == 0);
+  CHECK_OK(footfall_run_agents(level, agents, 0, NULL, NULL, 0, results));
+  agents[1].height = -1;
+  CHECK_FAILS(footfall_run_agents(level, agents, 3, NULL, NULL, 0, results), FOOTFALL_INPUT_ERROR,
+              "agents[1]: agent: ");
+  CHECK_FAILS(footfall_run_agents(level, NULL, 3, NULL, NULL, 0, results), FOOTFALL_INPUT_ERROR, "agents is NULL");
+  CHECK_FAILS(footfall_run_agents(level, agents, 3, NULL, NULL, 0, NULL), FOOTFALL_INPUT_ERROR, "results is NULL");
+  CHECK(results[0] == NULL && results[1] == NULL && results[2] == NULL);
+  footfall_free_environment(level);
+}
+
+static void testGround(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = runOn(level);
+  footfall_path_finder* finder = NULL;
+  CHECK_OK(footfall_make_path_finder(result, NULL, &finder));
+  const double start[3] = {1, 3, 0}, corner[3] = {3, 3, 0}, under[3] = {1, 1, 0}, above[3] = {3, 3, 1},
+               far[3] = {9, 3, 7};
+  const double wrong[3] = {NAN, 1, 0};
+  footfall_place place;
+  CHECK_OK(footfall_place_at(finder, above, &place));
+  CHECK(place.triangle != FOOTFALL_NONE && place.position[0] == 3 && place.position[2] == 0 && place.distance == 1);
+  CHECK_OK(footfall_place_at(finder, far, &place));
+  CHECK(place.triangle == FOOTFALL_NONE && place.position[0] == 0);
+  CHECK_OK(footfall_nearest_place(finder, far, &place));
+  CHECK(place.triangle != FOOTFALL_NONE && place.position[0] == 8 && place.position[2] == 0.5);
+  CHECK_FAILS(footfall_place_at(finder, wrong, &place), FOOTFALL_INPUT_ERROR, "not finite");
+  CHECK_FAILS(footfall_place_at(NULL, start, &place), FOOTFALL_INPUT_ERROR, "finder is NULL");
+  CHECK_FAILS(footfall_nearest_place(finder, start, NULL), FOOTFALL_INPUT_ERROR, "place is NULL");
+
+  footfall_place places[20], fewer[5];
+  CHECK_OK(footfall_random_places(finder, 20, 7, places));
+  CHECK_OK(footfall_random_places(finder, 5, 7, fewer));
+  for (int i = 0; i < 20; ++i) {
+    CHECK(i >= 5 || memcmp(places[i].position, fewer[i].position, sizeof fewer[i].position) == 0);
+    CHECK_OK(footfall_place_at(finder, places[i].position, &place));
+    CHECK(place.triangle != FOOTFALL_NONE && place.distance == 0);
+  }
+
+  footfall_ray ray, next;
+  CHECK_OK(footfall_cast_ray(finder, start, corner, NULL, &ray));
+  CHECK(ray.reached != 0 && ray.plan_length == 2 && ray.end.position[0] == 3 && ray.border[0] == FOOTFALL_NONE);
+  CHECK_OK(footfall_cast_ray_from(finder, &ray.end, far, NULL, &next));
+  CHECK(next.reached == 0 && next.plan_length == 1 && next.end.position[0] == 4 && next.end.distance == 5);
+  CHECK(next.border[0] != FOOTFALL_NONE && next.border[1] != FOOTFALL_NONE);
+  CHECK(next.start.triangle == ray.end.triangle);
+  CHECK_OK(footfall_cast_ray(finder, under, corner, NULL, &ray)); /* under the low ceiling */
+  CHECK(ray.start.triangle == FOOTFALL_NONE && ray.reached == 0);
+  CHECK_FAILS(footfall_cast_ray_from(finder, &ray.start, far, NULL, &next), FOOTFALL_INPUT_ERROR, "no triangle");
+  CHECK_FAILS(footfall_cast_ray_from(finder, NULL, far, NULL, &next), FOOTFALL_INPUT_ERROR, "start is NULL");
+  CHECK_FAILS(footfall_cast_ray(finder, start, NULL, NULL, &next), FOOTFALL_INPUT_ERROR, "to is NULL");
+  footfall_free_path_finder(finder);
+  footfall_free_result(result);
+  footfall_free_environment(level);
+}
+
 static void testWhy(void) {
   footfall_environment* level = makeLevel();
   footfall_result* result = runOn(level);
@@ -511,6 +593,8 @@ int main(int count, char** arguments) {
   testProgressAndCancelling();
   testObstacles();
   testPaths();
+  testAgents();
+  testGround();
   testWhy();
   testComparing();
   testFiles(arguments[1], arguments[2], arguments[3]);
