@@ -394,6 +394,7 @@ std::string formatStatistics(const Environment& environment, const RunResult& re
                              {"triangles_out", step.out.triangles},
                              {"area_in", step.in.area},
                              {"area_out", step.out.area},
+                             {"from_cache", step.fromCache},
                              {"note", step.note.str()}});
   }
   json["load_ms"] = times.loadMs;
