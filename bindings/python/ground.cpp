@@ -81,6 +81,10 @@ std::optional<SurfacePlace> placeAt(const std::shared_ptr<Self>& mesh, const py:
   return finderOf(*mesh)->locate(pointFrom(point, "point"), within);
 }
 
+Ray rayFrom(const SharedMesh& mesh, const SurfacePlace& place, const py::object& target) {
+  return {footfall::castRayFrom(*finderOf(*mesh), place, pointFrom(target, "target")), mesh->data};
+}
+
 template <class Self>
 std::optional<Ray> rayOn(const std::shared_ptr<Self>& mesh, const py::object& start, const py::object& target,
                          std::optional<double> reach) {
@@ -129,6 +133,12 @@ void bindPlace(py::module_& module) {
       .def_property_readonly(
           "end", [](const Ray& r) { return arrayOf(r.found.end.position); },
           "Shape (3,): the last walkable place, at the target or on the border that stops it.")
+      .def_property_readonly(
+          "start_place", [](const Ray& r) { return r.found.start; }, "The `Place` at the start.")
+      .def_property_readonly(
+          "end_place", [](const Ray& r) { return r.found.end; },
+          "The `Place` at the end, from which `cast_ray_from` goes on; its `distance` is that to the target, seen from "
+          "above.")
       .def_property_readonly(
           "plan_length", [](const Ray& r) { return r.found.planLength; }, "From start to end, seen from above.")
       .def_property_readonly(
@@ -214,6 +224,14 @@ void bindGround(py::module_& module) {
 
 point: three numbers, Z up. Raises InputError.)",
       py::arg("point"));
+  define(mesh, "cast_ray_from", &rayFrom,
+         R"(Walk straight, seen from above, from a `Place` towards `target`, as `cast_ray` does: return a `Ray`.
+
+place: a `Place` of this mesh, such as `Ray.end_place`. target: three numbers, whose height is not used.
+
+The ray starts in the triangle of the place, whatever else lies there, so that rays in a row never pass a wall
+without thickness. Raises InputError.)",
+         py::arg("place"), py::arg("target"));
   define(mesh, "random_places", &randomOn,
          R"(Return random walkable places, evenly by the area of the surface: an array of shape (count, 3).
 

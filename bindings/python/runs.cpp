@@ -9,11 +9,13 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "arrays.hpp"
 #include "bindings.hpp"
 #include "definitions.hpp"
 #include "footfall/agent.hpp"
+#include "footfall/agent_list.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
@@ -325,11 +327,60 @@ table of the run for people.)");
   define(
       area, "statistics", &statisticsOf,
       R"(Return what each step did and what it took: a dict with the keys of `footfall run --stats`, such as "steps" (a
-list of dict), "total_ms", "times", "threads" and, of parallel blocks, "blocks".)");
+list of dict, of which "from_cache" says that the step was not computed again), "total_ms", "times", "threads" and, of
+parallel blocks, "blocks".)");
   defineSave(area,
              "Write the area as `NavigationMesh.save` does, with the pipeline in the comments: the same bytes as "
              "`footfall run`.",
              [](const Area& a) { return makeExportHeader(a.pipeline); });
+}
+
+void checkThreads(int threads) {
+  constexpr int kMostThreads = 1024;
+  if (threads < 0 || threads > kMostThreads)
+    throw InputError("threads: " + std::to_string(threads) + " is out of range; give 0 to " +
+                     std::to_string(kMostThreads));
+}
+
+/// Returns whether a list or tuple begins with an agent.
+bool areAgents(const py::object& pipeline) {
+  if (!py::isinstance<py::list>(pipeline) && !py::isinstance<py::tuple>(pipeline)) return false;
+  const auto list = py::reinterpret_borrow<py::sequence>(pipeline);
+  return !list.empty() && py::isinstance<Agent>(list[0]);
+}
+
+std::vector<Agent> agentListFrom(const py::object& given) {
+  std::vector<Agent> agents;
+  for (const py::handle agent : given) {
+    if (!py::isinstance<Agent>(agent))
+      throw InputError("pipeline[" + std::to_string(agents.size()) + "]: a " +
+                       std::string(py::str(py::type::handle_of(agent).attr("__name__"))) +
+                       " is not accepted among agents; give a footfall.Agent");
+    agents.push_back(agent.cast<Agent>());
+  }
+  return agents;
+}
+
+std::shared_ptr<Area> areaOf(std::shared_ptr<const Environment> environment, AgentRun run,
+                             std::shared_ptr<ResultCache> cache) {
+  auto area = std::make_shared<Area>();
+  area->result = std::move(run.result);
+  area->data = area->result.mesh;
+  area->label = labelOf(*environment);
+  area->environment = std::move(environment);
+  area->pipeline = std::move(run.pipeline);
+  area->cache = std::move(cache);
+  return area;
+}
+
+py::list runAll(const std::shared_ptr<const Environment>& environment, const std::vector<Agent>& agents, int threads,
+                const std::shared_ptr<ResultCache>& cache, const py::object& progress) {
+  checkThreads(threads);
+  std::vector<AgentRun> runs = interruptible(
+      progress, [&](RunContext& context) { return runAgents(environment, agents, context, cache.get(), threads); });
+  py::list areas;
+  for (AgentRun& run : runs) areas.append(areaOf(environment, std::move(run), cache));
+  return areas;
 }
 
 void bindRunning(py::module_& module) {
@@ -348,20 +399,22 @@ bytes: about how much memory they may take; 0: an eighth of the machine's.)",
   define(
       module, "run",
       [](std::shared_ptr<Environment> environment, const py::object& pipeline, int threads,
-         std::shared_ptr<ResultCache> cache, const py::object& progress) {
+         std::shared_ptr<ResultCache> cache, const py::object& progress) -> py::object {
+        if (areAgents(pipeline)) return runAll(environment, agentListFrom(pipeline), threads, cache, progress);
         const bool isAgent = pipeline.is_none() || py::isinstance<Agent>(pipeline);
         Pipeline steps = isAgent ? pipelineFor(*environment, agentFrom(pipeline, {})) : pipelineFrom(pipeline);
-        return run(std::move(environment), std::move(steps), threads, std::move(cache), progress);
+        return py::cast(run(std::move(environment), std::move(steps), threads, std::move(cache), progress));
       },
-      R"(Run a pipeline over an environment and return a `WalkableArea`.
+      R"(Run a pipeline over an environment and return a `WalkableArea`; for a list of agents, return a list of areas.
 
 environment: an `Environment`.
 pipeline: a `Pipeline`, its text, a list of steps such as ("SlopeFilter", 45), or an `Agent`, for
-    Environment.pipeline_for(agent=...); None: Agent().
+    Environment.pipeline_for(agent=...); None: Agent(). Or a list of `Agent`: steps that their pipelines share are
+    computed once, and each area has the bytes of a run of its own.
 threads: how many may work, 0: as many as the machine has. The result does not depend on it.
 cache: a `ResultCache` that several runs share, or None.
 progress: called as progress(step, name, fraction), in the calling thread: a step's number from 0, its filter's
-    name, and how much of it is done, 0 to 1. What it raises cancels the run.
+    name, and how much of it is done, 0 to 1. What it raises cancels the run. Steps count from 0 for each agent.
 
 Other Python threads go on meanwhile. Ctrl-C cancels the run and raises KeyboardInterrupt; the cache keeps what
 was finished. Raises InputError for a pipeline that is wrong, and RunError.)",
@@ -416,19 +469,12 @@ std::string labelOf(const Environment& environment) { return "walkable area of "
 
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress) {
-  constexpr int kMostThreads = 1024;
-  if (threads < 0 || threads > kMostThreads)
-    throw InputError("threads: " + std::to_string(threads) + " is out of range; give 0 to " +
-                     std::to_string(kMostThreads));
-  auto area = std::make_shared<Area>();
-  area->result = interruptible(
-      progress, [&](RunContext& context) { return runPipeline(environment, pipeline, context, cache.get(), threads); });
-  area->data = area->result.mesh;
-  area->label = labelOf(*environment);
-  area->environment = std::move(environment);
-  area->pipeline = std::move(pipeline);
-  area->cache = std::move(cache);
-  return area;
+  checkThreads(threads);
+  AgentRun made{std::move(pipeline), {}};
+  made.result = interruptible(progress, [&](RunContext& context) {
+    return runPipeline(environment, made.pipeline, context, cache.get(), threads);
+  });
+  return areaOf(std::move(environment), std::move(made), std::move(cache));
 }
 
 void bindRuns(py::module_& module) {

@@ -70,6 +70,24 @@ class Ground(unittest.TestCase):
         self.assertIsNone(self.area.cast_ray((-1, 5, 0), (9, 5, 0)))
         self.assertIsNone(self.nothing.cast_ray((1, 5, 0), (9, 5, 0)))
 
+    def test_rays_in_a_row(self):
+        first = self.area.cast_ray((1, 5, 0), (5, 5, 0))
+        self.assertEqual((first.end_place.position[0], first.start_place.triangle), (5, first.triangles[0]))
+        back = self.area.cast_ray_from(first.end_place, (1, 9, 0))
+        self.assertTrue(back.reached)
+        np.testing.assert_array_equal(back.start, (5, 5, 0))
+        # The place lies on a wall without thickness, and the ray stays on its side.
+        self.assertFalse(self.area.cast_ray_from(first.end_place, (9, 5, 0)).reached)
+        self.assertFalse(self.area.cast_ray_from(back.start_place, (9, 5, 0)).reached)
+        right = self.area.cast_ray((9, 5, 0), (5, 5, 0)).end_place
+        self.assertTrue(self.area.cast_ray_from(right, (9, 5, 0)).reached)
+        self.assertEqual(self.area.cast_ray((1, 5, 0), (9, 5, 0)).end_place.distance, 4.0)
+        with self.assertRaisesRegex(TypeError, r"cast_ray_from\(\): place: a tuple is not accepted; give a footfall.Place"):
+            self.area.cast_ray_from((1, 5, 0), (9, 5, 0))
+        other = footfall.NavigationMesh([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)])
+        with self.assertRaisesRegex(footfall.InputError, "place does not lie in triangle 0; give a place of this mesh"):
+            other.cast_ray_from(self.area.layer(1).nearest_place((3, 3, 3)), (1, 1, 0))
+
     def test_many_paths(self):
         places = self.area.random_places(40)
         paths = self.area.find_paths(places[:-1], places[1:])

@@ -210,6 +210,40 @@ class Edits(unittest.TestCase):
             level.add(np.full((3, 3), np.nan), [[0, 1, 2]])
         self.assertEqual(area().area, 103.0)
 
+    def test_several_agents(self):
+        level = footfall.Environment(*scenes.floor(0, 0, 10, 4))
+        agents = [footfall.Agent(), footfall.Agent(radius=0.5), footfall.Agent(radius=1, drop=1), footfall.Agent()]
+        areas = footfall.run(level, agents)
+        self.assertEqual([type(area) for area in areas], [footfall.WalkableArea] * 4)
+        for agent, area in zip(agents, areas):
+            alone = footfall.run(level, agent)
+            self.assertEqual(area.pipeline, alone.pipeline)
+            self.assertEqual(area.vertices.tobytes(), alone.vertices.tobytes())
+            self.assertEqual(area.triangles.tobytes(), alone.triangles.tobytes())
+            self.assertTrue(area.why((2, 2, 0)).is_walkable)
+        computed = [sum(not step["from_cache"] for step in area.statistics()["steps"]) for area in areas]
+        self.assertEqual((computed[0], computed[3]), (len(areas[0].pipeline), 0))
+        self.assertTrue(0 < computed[1] < len(areas[1].pipeline))
+        self.assertEqual(areas[1].statistics()["start_ms"], 0)
+
+    def test_several_agents_with_options(self):
+        level, cache, seen = footfall.Environment(*scenes.floor(0, 0, 10, 4)), footfall.ResultCache(), []
+        agents = (footfall.Agent(), footfall.Agent(radius=0.5))
+        footfall.run(level, agents, threads=1, cache=cache, progress=lambda *event: seen.append(event))
+        again = footfall.run(level, agents[1], cache=cache)
+        self.assertTrue(all(step["from_cache"] for step in again.statistics()["steps"]))
+        with self.assertRaisesRegex(footfall.InputError, r"^pipeline\[1\]: a str is not accepted among agents; give a foot"):
+            footfall.run(level, [footfall.Agent(), "SlopeFilter 45"])
+        with self.assertRaisesRegex(footfall.InputError, "^threads: -1"):
+            footfall.run(level, agents, threads=-1)
+
+        def stop(step, name, fraction):
+            raise KeyError(name)
+
+        with self.assertRaises(KeyError):
+            footfall.run(footfall.Environment(*scenes.slow(1500)), agents,
+                         progress=stop)
+
     def test_the_cache_is_used(self):
         level, cache = footfall.Environment(*scenes.floor()), footfall.ResultCache(capacity=16)
         self.assertGreater(footfall.run(level, cache=cache).statistics()["start_ms"], 0)
