@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # check_docs.py: fails when a link of a Markdown page leads to no file or heading, when a page names a file or a suite that
-# is not there, or when docs/README.md lacks a page.
+# is not there, when the code of a page is not that of the program that the page says it is from, or when docs/README.md
+# lacks a page.
 # SPDX-License-Identifier: GPL-3.0-or-later
 import os
 import re
@@ -33,10 +34,19 @@ def anchors(page):
     return found
 
 
+def blocks(page):
+    """The indented blocks of a page, each with single spaces."""
+    text = re.sub(r"^```.*?^```", "", text_of(page), flags=re.S | re.M)
+    return [" ".join(block.split()) for block in re.findall(r"(?:^(?:    .*)?\n)+", text, re.M) if block.strip()]
+
+
 suites = {name[:-4] for _, _, names in os.walk(os.path.join(root, "tests")) for name in names if re.match(r"test_\w+\.cpp", name)}
 folders_with_code = "core|ui|app|tests|samples|resources|tools|bindings|cmake|shaders"
 linked = {}
 for page in sorted(pages()):
+    for program in re.findall(r"code here is\s+from `([\w/]+\.cpp)`", text_of(page)):
+        code = " ".join(text_of(program).split())
+        failures += [f"{page}: {program} has no such code: {block[:60]}" for block in blocks(page) if block not in code]
     text = re.sub(r"^```.*?^```", "", text_of(page), flags=re.S | re.M)
     text = "\n".join(line for line in text.split("\n") if not line.startswith("    "))
     linked[page] = set()

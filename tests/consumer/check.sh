@@ -23,6 +23,7 @@ grep -q 'none\.obj' "${scratch}/error" || { echo "the error does not name the fi
 grep -v '^# \(pipeline\|agent\): ' "${scratch}/house-c.obj" | cmp - "${scratch}/house.obj"
 "${scratch}/build/editing_loop"
 "${scratch}/build/path_query"
+"${scratch}/build/engine_loop"
 
 # Public headers need nothing but the standard library and each other, not even in their order.
 include="${scratch}/prefix/include"
