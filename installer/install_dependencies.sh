@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# install_dependencies.sh [--fuzzing | --tidy]: installs the Debian packages that Footfall is built with, tested with and
-# runs on, and with --fuzzing or --tidy those that tests/fuzz/run.sh or tests/tidy.sh need. Does nothing, quickly, when all
-# are there. Needs root, or sudo, only when something is missing.
+# install_dependencies.sh [--fuzzing | --tidy | --wheel | --reference]: installs the Debian packages that Footfall is built
+# with, tested with and runs on, and with an option those that tests/fuzz/run.sh, tests/tidy.sh, installer/wheel.sh or
+# docs/make_reference.sh need. Does nothing, quickly, when all are there. Needs root, or sudo, only when something is
+# missing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -34,7 +35,9 @@ case "$#:${1:-}" in
   0:) ;;
   1:--fuzzing) packages+=(clang-14 libclang-rt-14-dev) ;;
   1:--tidy) packages+=(clang-tidy) ;;
-  *) fail "unknown arguments $*; usage: install_dependencies.sh [--fuzzing | --tidy]" ;;
+  1:--wheel) packages+=(binutils patchelf python3-venv) ;;
+  1:--reference) packages+=(doxygen python3-sphinx) ;;
+  *) fail "unknown arguments $*; usage: install_dependencies.sh [--fuzzing | --tidy | --wheel | --reference]" ;;
 esac
 
 command -v dpkg-query >/dev/null || fail "this is not a Debian system; install by hand: ${packages[*]}"

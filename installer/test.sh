@@ -21,6 +21,9 @@ for argument in "$@"; do
 done
 
 prepare "${preset}" "${options[@]}"
+# The tests make a wheel and the API reference.
+"${repository}/installer/install_dependencies.sh" --wheel
+"${repository}/installer/install_dependencies.sh" --reference
 say "building"
 cmake --build --preset "${preset}" -j "$(build_jobs)"
 
