@@ -2,7 +2,6 @@
 #include "core/partitioning/strategies.hpp"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <stdexcept>
 
@@ -67,31 +66,46 @@ CutTreePtr growChosen(StrategyCall& call) {
   return growHeightAware(choice.limits, call.work(choice.limits), call.name, call.input);
 }
 
-struct StrategyFunction {
-  FilterType type;
-  CutTreePtr (*grow)(StrategyCall& call);
-};
-
-// The table of strategies: what is called for each descriptor of one.
-constexpr std::array kStrategyFunctions = {
-    StrategyFunction{FilterType::GridStrategy,
-                     [](StrategyCall& s) { return growGrid(s.values.at(0), s.values.at(1), s.name, s.input); }},
-    StrategyFunction{FilterType::RecursiveStrategy,
-                     [](StrategyCall& s) { return growRecursive(s.limits(), s.name, s.input); }},
-    StrategyFunction{FilterType::SortedRecursiveStrategy,
-                     [](StrategyCall& s) { return growSortedRecursive(s.limits(), s.name, s.input); }},
-    StrategyFunction{FilterType::HeightAwareStrategy,
-                     [](StrategyCall& s) { return growHeightAware(s.limits(), s.work(s.limits()), s.name, s.input); }},
-    StrategyFunction{FilterType::AutoStrategy, growChosen},
-};
+// The switch has no default, so that a strategy that is left out does not compile.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic error "-Wswitch"
+CutTreePtr grow(FilterType strategy, StrategyCall& call) {
+  const std::vector<double>& values = call.values;
+  switch (strategy) {
+    case FilterType::GridStrategy:
+      return growGrid(values.at(0), values.at(1), call.name, call.input);
+    case FilterType::RecursiveStrategy:
+      return growRecursive(call.limits(), call.name, call.input);
+    case FilterType::SortedRecursiveStrategy:
+      return growSortedRecursive(call.limits(), call.name, call.input);
+    case FilterType::HeightAwareStrategy:
+      return growHeightAware(call.limits(), call.work(call.limits()), call.name, call.input);
+    case FilterType::AutoStrategy:
+      return growChosen(call);
+    case FilterType::Duplication:
+    case FilterType::Degeneracy:
+    case FilterType::Slope:
+    case FilterType::VerticalClearance:
+    case FilterType::Step:
+    case FilterType::Radius:
+    case FilterType::Drop:
+    case FilterType::Reachable:
+    case FilterType::Area:
+    case FilterType::Simplification:
+    case FilterType::LayerSubdivision:
+    case FilterType::Rounding:
+    case FilterType::Collapse:
+      break;
+  }
+  throw std::logic_error("no such strategy: " + call.name);
+}
+#pragma GCC diagnostic pop
 
 }  // namespace
 
 Partition makePartition(FilterType strategy, const std::vector<double>& values, const StrategyInput& input) {
   StrategyCall call(strategy, values, input);
-  const auto* const function = std::ranges::find(kStrategyFunctions, strategy, &StrategyFunction::type);
-  if (function == kStrategyFunctions.end()) throw std::logic_error("no such strategy: " + call.name);
-  const CutTreePtr tree = function->grow(call);
+  const CutTreePtr tree = grow(strategy, call);
   if (values.size() > kRound && values[kRound] != 0)
     call.reason = FOOTFALL_TEXT(
         "round changes nothing, because no obstacle is cut and cuts vanish in Collapse; "
