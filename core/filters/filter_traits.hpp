@@ -56,12 +56,13 @@ struct Removal {
 
 /// How a pipeline that keeps to a bound of memory runs a filter.
 enum class TileUse : std::uint8_t {
-  InCells,    ///< a cell runs it alone: the filter looks at what a cell sees
-  Regions,    ///< AreaFilter: regions are added up over all cells
-  Links,      ///< StepFilter: once, behind the filters in cells
-  OverTiles,  ///< behind all of these, with the neighbourhood of each tile
-  Never,      ///< FilterTraits::tileProblem says why
-  LeftOut,    ///< strategies and Collapse, which change no result
+  InCells,        ///< a cell runs it alone: the filter looks at what a cell sees
+  Regions,        ///< AreaFilter: regions are added up over all cells
+  Links,          ///< StepFilter: once, behind the filters in cells
+  OverTiles,      ///< behind all of these, with the neighbourhood of each tile
+  OverTilesOnce,  ///< the same, and behind a StepFilter at most once
+  Never,          ///< FilterTraits::tileProblem says why
+  LeftOut,        ///< strategies and Collapse, which change no result
 };
 
 /// A size of an agent, which drives a parameter.

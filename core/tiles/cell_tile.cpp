@@ -209,8 +209,12 @@ class StepSorter {
         break;
       case TileUse::Never:
         fail(i, traits.tileProblem);
+      case TileUse::OverTilesOnce:
+        if (steps.step && isOverTilesAlready(*step.filter)) fail(i, kSecondStep);
+        steps.global.push_back(step);
+        break;
       case TileUse::OverTiles:
-        addOverTiles(i);
+        steps.global.push_back(step);
         break;
       case TileUse::Regions: {
         if (!steps.global.empty()) fail(i, kBehindGlobal);
@@ -240,13 +244,8 @@ class StepSorter {
     throw InputError(problem, placeOfStep(pipeline_, i), pipeline_.steps[i].filter->name);
   }
 
-  void addOverTiles(std::size_t i) {
-    const PipelineStep& step = pipeline_.steps[i];
-    const auto isSame = [&step](const PipelineStep& other) { return other.filter == step.filter; };
-    if (steps.step && step.filter->type == FilterType::Simplification &&
-        std::any_of(steps.global.begin(), steps.global.end(), isSame))
-      fail(i, kSecondStep);
-    steps.global.push_back(step);
+  [[nodiscard]] bool isOverTilesAlready(const FilterDescriptor& filter) const {
+    return std::ranges::any_of(steps.global, [&filter](const PipelineStep& other) { return other.filter == &filter; });
   }
 
   const Pipeline& pipeline_;

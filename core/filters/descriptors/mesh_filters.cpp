@@ -123,7 +123,7 @@ FilterDescriptor describeSimplification() {
           [](StepValues values) {
             return Reach{0, values[0] == 0 ? 0 : values[1]};
           },
-      .tileUse = [](StepValues values) { return values[0] == 0 ? TileUse::OverTiles : TileUse::Never; },
+      .tileUse = [](StepValues values) { return values[0] == 0 ? TileUse::OverTilesOnce : TileUse::Never; },
       .tileProblem =
           FOOTFALL_TEXT("%1: %2 keeps to a bound of memory exactly only, not approximately; leave that out, or run "
                         "without the bound, with all of the environment in memory"),
