@@ -976,6 +976,14 @@
         <translation>Agent: %1</translation>
     </message>
     <message>
+        <source>agent: %1, in metres</source>
+        <translation>Agent: %1, in Metern</translation>
+    </message>
+    <message>
+        <source>agent: %1, in square metres</source>
+        <translation>Agent: %1, in Quadratmetern</translation>
+    </message>
+    <message>
         <source>agent, in the environment&apos;s units: %1</source>
         <translation>Agent, in den Einheiten der Umgebung: %1</translation>
     </message>

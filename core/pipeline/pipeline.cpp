@@ -47,28 +47,44 @@ double defaultInUnits(const ParameterDescriptor& parameter, double metresPerUnit
 
 /// A number of an agent, in metres or degrees, and the filter's parameter that it becomes.
 struct AgentNumber {
+  std::string_view name;
   FilterType type{};
   std::size_t parameter = 0;
   double value = 0;
+
+  [[nodiscard]] const ParameterDescriptor& descriptor() const { return filterDescriptor(type).parameters[parameter]; }
 };
 
 // The numbers of an agent that its pipeline uses.
 std::vector<AgentNumber> numbersOf(const Agent& agent) {
-  std::vector<AgentNumber> numbers{{FilterType::Slope, 0, agent.maxSlope},
-                                   {FilterType::VerticalClearance, 0, agent.height},
-                                   {FilterType::Area, 0, agent.minimumArea}};
+  std::vector<AgentNumber> numbers{{"max_slope", FilterType::Slope, 0, agent.maxSlope},
+                                   {"height", FilterType::VerticalClearance, 0, agent.height},
+                                   {"minimum_area", FilterType::Area, 0, agent.minimumArea}};
   if (agent.step != 0) {
-    numbers.push_back({FilterType::Step, 0, agent.step});
-    numbers.push_back({FilterType::Step, 1, agent.gap});
+    numbers.push_back({"step", FilterType::Step, 0, agent.step});
+    numbers.push_back({"gap", FilterType::Step, 1, agent.gap});
   }
-  if (agent.radius != 0) numbers.push_back({FilterType::Radius, 0, agent.radius});
+  if (agent.radius != 0) numbers.push_back({"radius", FilterType::Radius, 0, agent.radius});
   if (agent.drop != 0) {
-    numbers.push_back({FilterType::Drop, 0, agent.drop});
+    numbers.push_back({"drop", FilterType::Drop, 0, agent.drop});
     const double reach = kReachOverMargins * agent.radius;
     if (reach > filterDescriptor(FilterType::Drop).parameters[1].defaultValue)
-      numbers.push_back({FilterType::Drop, 1, reach});
+      numbers.push_back({"radius", FilterType::Drop, 1, reach});
   }
   return numbers;
+}
+
+/// The fault of an agent's number, in metres and degrees; empty: none.
+Text checkNumber(const AgentNumber& number) {
+  ParameterDescriptor parameter = number.descriptor();
+  const Unit unit = parameter.unit;
+  parameter.name = number.name;
+  if (unit == Unit::Length || unit == Unit::Area) parameter.unit = Unit::None;  // the range is in metres
+  const Text wrong = checkValue(parameter, number.value);
+  if (wrong.empty()) return {};
+  if (unit == Unit::Length) return {FOOTFALL_TEXT("agent: %1, in metres"), wrong};
+  if (unit == Unit::Area) return {FOOTFALL_TEXT("agent: %1, in square metres"), wrong};
+  return {FOOTFALL_TEXT("agent: %1"), wrong};
 }
 
 }  // namespace
@@ -141,7 +157,7 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
     pipeline.steps.push_back(defaultStep(filterDescriptor(FilterType::Drop), environment.metresPerUnit));
   for (const AgentNumber& number : numbersOf(agent)) {
     const FilterDescriptor& filter = filterDescriptor(number.type);
-    const ParameterDescriptor& parameter = filter.parameters[number.parameter];
+    const ParameterDescriptor& parameter = number.descriptor();
     std::vector<double>& values = place(number.type)->values;
     double& written = values[number.parameter];
     written = inUnits(parameter, number.value, environment.metresPerUnit);
@@ -154,10 +170,8 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
 }
 
 void checkAgent(const Agent& agent) {
-  for (const AgentNumber& number : numbersOf(agent)) {
-    const Text wrong = checkValue(filterDescriptor(number.type).parameters[number.parameter], number.value);
-    if (!wrong.empty()) throw InputError(FOOTFALL_TEXT("agent: %1"), wrong);
-  }
+  for (const AgentNumber& number : numbersOf(agent))
+    if (const Text wrong = checkNumber(number); !wrong.empty()) throw InputError(wrong);
 }
 
 }  // namespace footfall

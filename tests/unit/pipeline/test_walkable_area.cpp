@@ -111,7 +111,7 @@ class TestWalkableArea : public QObject {
     QCOMPARE(dropStep(1, {.radius = 0.5, .drop = 3}), std::string("DropFilter 3 1.05"));
     for (const double drop : {-0.1, kNaN, kInfinity}) {
       const std::string message = messageOf([&] { (void)pipelineFor(withScale(1), {.drop = drop}); });
-      QVERIFY2(message.starts_with("agent: depth"), message.c_str());
+      QVERIFY2(message.starts_with("agent: drop"), message.c_str());
     }
     const Environment level = *Soup().floor(0, 0, 4, 4, 1).floor(4, 0, 8, 4, 0).environment();
     const auto dropsOf = [&](const Agent& agent) { return walkableArea(level, agent).drops.size(); };
@@ -135,8 +135,9 @@ class TestWalkableArea : public QObject {
     for (const double slope : {0.0, 90.0, -1.0, kNaN, kInfinity})
       QVERIFY2(message({.maxSlope = slope}).starts_with("agent: max_slope"), message({.maxSlope = slope}).c_str());
     for (const double height : {0.0, -2.0, kNaN, kInfinity})
-      QVERIFY(message({.height = height}).starts_with("agent: "));
-    for (const double area : {-1.0, kNaN, kInfinity}) QVERIFY(message({.minimumArea = area}).starts_with("agent: "));
+      QVERIFY(message({.height = height}).starts_with("agent: height"));
+    for (const double area : {-1.0, kNaN, kInfinity})
+      QVERIFY(message({.minimumArea = area}).starts_with("agent: minimum_area"));
     QCOMPARE(message({.minimumArea = 0}), std::string("no error"));
     for (const double step : {-0.1, kNaN, kInfinity}) QVERIFY(message({.step = step}).starts_with("agent: step"));
     QCOMPARE(message({.step = 0}), std::string("no error"));
