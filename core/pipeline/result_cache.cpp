@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <unordered_set>
 #include <utility>
 
-#include "core/pipeline/state_size.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/filter.hpp"
 
@@ -18,11 +18,22 @@ namespace {
 // The first state, seven filters of the default pipeline, a few more: without them every edit would start from nothing.
 constexpr std::size_t kLeastEntries = 12;
 
-std::size_t sizeOf(const CachedPrefix& prefix, CountedParts& counted) {
-  std::size_t bytes = prefix.state ? detail::sizeOf(*prefix.state, counted) : 0;
-  if (prefix.rounded && counted.insert(prefix.rounded.get()).second)
-    bytes += prefix.rounded->places.size() * (sizeof(Vec3) + 1);
-  if (prefix.mesh && counted.insert(prefix.mesh.get()).second) bytes += detail::sizeOf(*prefix.mesh);
+std::vector<StatePart> partsOf(const CachedPrefix& prefix) {
+  std::vector<StatePart> parts;
+  if (prefix.state) addParts(*prefix.state, parts);
+  if (prefix.rounded) parts.push_back({prefix.rounded.get(), prefix.rounded->places.size() * (sizeof(Vec3) + 1)});
+  if (prefix.mesh) parts.push_back({prefix.mesh.get(), sizeOf(*prefix.mesh)});
+  return parts;
+}
+
+/// The addresses of the parts that are counted already.
+using CountedParts = std::unordered_set<const void*>;
+
+/// The bytes of the parts that were not counted yet.
+std::size_t countParts(const std::vector<StatePart>& parts, CountedParts& counted) {
+  std::size_t bytes = 0;
+  for (const StatePart& part : parts)
+    if (counted.insert(part.address).second) bytes += part.bytes;
   return bytes;
 }
 
@@ -99,7 +110,8 @@ KnownPlaces PrefixCache::findPlaces(const EnvironmentPtr& environment, const std
 
 void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {
   std::list<Entry> added;
-  added.push_back({environment, key, std::move(prefix)});
+  std::vector<StatePart> parts = partsOf(prefix);  // once, as it looks at long lists
+  added.push_back({environment, key, std::move(prefix), std::move(parts)});
   std::list<Entry> dropped;  // large states are freed after the lock is
   const std::lock_guard lock(mutex_);
   const auto found = locate(environment, key);
@@ -114,7 +126,7 @@ std::size_t PrefixCache::countToKeep() const {
   std::size_t bytes = 0;
   std::size_t count = 0;
   for (const Entry& entry : entries_) {
-    bytes += sizeOf(entry.prefix, counted);
+    bytes += countParts(entry.parts, counted);
     if (count >= capacity_ || (bytes > mostBytes_ && count >= kLeastEntries)) break;
     ++count;
   }
@@ -125,7 +137,7 @@ std::size_t PrefixCache::bytes() {
   const std::lock_guard lock(mutex_);
   CountedParts counted;
   std::size_t bytes = 0;
-  for (const Entry& entry : entries_) bytes += sizeOf(entry.prefix, counted);
+  for (const Entry& entry : entries_) bytes += countParts(entry.parts, counted);
   return bytes;
 }
 

@@ -12,6 +12,7 @@
 #include "core/filters/rounding/known_places.hpp"
 #include "core/pipeline/cell_reuse.hpp"
 #include "core/pipeline/runner.hpp"
+#include "core/pipeline/state_size.hpp"
 
 namespace footfall::detail {
 
@@ -56,6 +57,7 @@ class PrefixCache {
     std::weak_ptr<const Environment> environment;
     std::string key;
     CachedPrefix prefix;
+    std::vector<StatePart> parts;  ///< the memory that the prefix holds
   };
   /// The prefix for findEarlier(), or of those with rounded places for findPlaces(); to be called with the lock.
   [[nodiscard]] CachedPrefix earlierPrefix(const EnvironmentPtr& environment, const EnvironmentPtr& base,

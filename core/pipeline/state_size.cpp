@@ -49,10 +49,10 @@ std::size_t cutsOf(const WalkableState& state) {
 
 }  // namespace
 
-std::size_t sizeOf(const WalkableState& state, CountedParts& counted) {
-  std::size_t bytes = bytesOf(state.walkable) + bytesOf(state.removed);
+void addParts(const WalkableState& state, std::vector<StatePart>& parts) {
+  parts.push_back({&state, bytesOf(state.walkable) + bytesOf(state.removed)});
   const auto add = [&](const auto& part, auto size) {
-    if (part && counted.insert(part.get()).second) bytes += size(*part);
+    if (part) parts.push_back({part.get(), size(*part)});
   };
   const auto own = [](const auto& part) { return bytesOf(part); };
   add(state.mesh, own);
@@ -62,10 +62,9 @@ std::size_t sizeOf(const WalkableState& state, CountedParts& counted) {
   add(state.simplifierMemory, own);
   add(state.stepMemory, own);
   add(state.radiusMemory, own);
-  if (state.radiusMemory) bytes += sizeOf(*state.radiusMemory->simplified, counted);
+  if (state.radiusMemory) addParts(*state.radiusMemory->simplified, parts);
   add(state.overlaps, own);
   add(state.cuts, [&](const CutTable&) { return cutsOf(state); });
-  return bytes;
 }
 
 std::size_t sizeOf(const NavigationMesh& mesh) {

@@ -3,19 +3,22 @@
 #pragma once
 
 #include <cstddef>
-#include <unordered_set>
+#include <vector>
 
 #include "core/assembly/walkable_state.hpp"
 #include "footfall/navigation_mesh.hpp"
 
 namespace footfall::detail {
 
-/// The parts of states that were counted already: states share most of what they are made of.
-using CountedParts = std::unordered_set<const void*>;
+/// A part of a state, by its address. States share most of what they are made of.
+struct StatePart {
+  const void* address = nullptr;
+  std::size_t bytes = 0;
+};
 
-/// Bytes, estimated from the lengths of the large lists in constant time; parts in `counted` are left out, and those
-/// that are counted now are added to it. What the state's environment takes itself does not count.
-std::size_t sizeOf(const WalkableState& state, CountedParts& counted);
+/// Adds the parts of a state. Their bytes are estimated from the lengths of lists. What the state's environment takes
+/// itself does not count.
+void addParts(const WalkableState& state, std::vector<StatePart>& parts);
 std::size_t sizeOf(const NavigationMesh& mesh);
 
 }  // namespace footfall::detail
