@@ -57,6 +57,7 @@ class TestAgentsRun : public QObject {
     QCOMPARE(outcome.exitCode, 0);
     QVERIFY2(outcome.out.startsWith("Human: slope "), outcome.out.constData());
     QVERIFY2(outcome.out.contains("\nWheelchair: slope "), outcome.out.constData());
+    QVERIFY2(outcome.out.contains(", radius 0.38; area "), outcome.out.constData());
     for (const auto& [name, output] : {std::pair{"Human", "out-human.obj"}, {"Wheelchair", "out-wheelchair.obj"}}) {
       const QByteArray expected = runAlone(folder, file, agentNamed(name));
       QVERIFY(!expected.isEmpty());
