@@ -8,6 +8,7 @@
 #include "definitions.hpp"
 #include "footfall/agent.hpp"
 #include "footfall/errors.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
@@ -35,8 +36,7 @@ std::string shown(const Agent& agent) {
 Agent agentFrom(const py::object& agent, const Agent& numbers) {
   if (agent.is_none()) return numbers;
   if (!py::isinstance<Agent>(agent))
-    throw InputError("agent: a " + std::string(py::str(py::type::of(agent).attr("__name__"))) +
-                     " is none; give a footfall.Agent");
+    throw InputError("agent: " + typeNameOf(agent) + " is not accepted; give a footfall.Agent");
   if (!(numbers == Agent()))
     throw InputError("agent: it has a slope, a height and so on of its own; give either an agent or such numbers");
   return agent.cast<Agent>();

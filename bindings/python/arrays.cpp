@@ -8,6 +8,7 @@
 #include <type_traits>
 
 #include "footfall/errors.hpp"
+#include "texts.hpp"
 
 namespace footfall::python {
 namespace {
@@ -22,8 +23,7 @@ std::string typeOf(const py::array& array) { return py::str(array.dtype()); }
 py::array arrayFrom(const py::object& given, const std::string& name, const char* wanted) {
   const py::array array = given.is_none() ? py::array() : py::array::ensure(given);
   if (!array || given.is_none())
-    throw InputError(name + ": a " + std::string(py::str(py::type::of(given).attr("__name__"))) +
-                     " is no array of numbers; give " + wanted);
+    throw InputError(name + ": " + typeNameOf(given) + " is no array of numbers; give " + wanted);
   return array;
 }
 
@@ -154,8 +154,8 @@ Vec3 pointFrom(const py::object& given, const std::string& name) {
   constexpr const char* kWanted = "three numbers: x, y and z";
   const py::array array = arrayFrom(given, name, kWanted);
   if (array.ndim() != 1 || array.shape(0) != 3 || !hasNumbers(array, "fiu"))
-    throw InputError(name + ": an array of shape " + shapeOf(array) + " and type " + typeOf(array) + "; give " +
-                     kWanted);
+    throw InputError(name + ": an array of shape " + shapeOf(array) + " and type " + typeOf(array) +
+                     " is not accepted; give " + kWanted);
   const py::array_t<double> row = rowsOf<double>(array);
   const Vec3 point{row.data()[0], row.data()[1], row.data()[2]};
   if (!std::isfinite(point.x) || !std::isfinite(point.y) || !std::isfinite(point.z))

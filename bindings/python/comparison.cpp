@@ -26,6 +26,15 @@ struct ComparedMeshes {
   std::array<std::string, 2> labels;
 };
 
+/// The words for two meshes; areas of one environment are told apart by their agents.
+std::array<std::string, 2> labelsOf(const Mesh& a, const Mesh& b) {
+  if (a.label != b.label || a.agent == b.agent) return {a.label, b.label};
+  const auto labelWithAgent = [](const Mesh& mesh) {
+    return mesh.label + (mesh.agent.empty() ? "" : " (" + mesh.agent + ")");
+  };
+  return {labelWithAgent(a), labelWithAgent(b)};
+}
+
 std::string number(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.10g", value);
@@ -207,7 +216,7 @@ distances: `a_to_b`, `b_to_a`.)");
          std::optional<double> error, const py::object& progress) {
         return interruptible(progress, [&](RunContext& context) {
           return std::make_shared<ComparedMeshes>(
-              ComparedMeshes{compareMeshes(*a->data, *b->data, {height, error}, &context), {a->label, b->label}});
+              ComparedMeshes{compareMeshes(*a->data, *b->data, {height, error}, &context), labelsOf(*a, *b)});
         });
       },
       R"(Compare two meshes and return a `Comparison`.

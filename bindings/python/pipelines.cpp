@@ -15,6 +15,7 @@
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/pipeline.hpp"
+#include "texts.hpp"
 #include "types.hpp"
 
 namespace footfall::python {
@@ -85,8 +86,8 @@ py::tuple stepOf(const PipelineStep& step) {
 std::string lineOf(const py::handle& step) {
   if (py::isinstance<py::str>(step)) return py::str(step);
   if (!py::isinstance<py::sequence>(step))
-    throw InputError("pipeline: a step is a " + std::string(py::str(py::type::handle_of(step).attr("__name__"))) +
-                     "; give \"SlopeFilter 45\" or (\"SlopeFilter\", 45)");
+    throw InputError("pipeline: " + typeNameOf(step) +
+                     " is not accepted as a step; give \"SlopeFilter 45\" or (\"SlopeFilter\", 45)");
   std::string line;
   for (const py::handle part : step) {
     if (!line.empty()) line += ' ';
@@ -114,8 +115,8 @@ Pipeline pipelineFrom(const py::object& given) {
       text += line + '\n';
     }
   } else {
-    throw InputError("pipeline: a " + std::string(py::str(py::type::of(given).attr("__name__"))) +
-                     " is none; give its text, or a list of steps");
+    throw InputError("pipeline: " + typeNameOf(given) +
+                     " is not accepted; give a footfall.Pipeline, its text, or a list of steps");
   }
   return parsePipeline(text, "pipeline");
 }

@@ -38,6 +38,11 @@ std::string summaryOf(const Area& area) {
   return area.summary ? *area.summary : formatSummary(*area.environment, area.result);
 }
 
+std::string agentText(const Pipeline& pipeline) {
+  const double radius = agentNumbers(pipeline).radius;
+  return describeAgent(pipeline) + (radius > 0 ? ", radius " + std::string(py::str("{:g}").format(radius)) : "");
+}
+
 py::dict areaState(const Area& area) {
   py::dict state = stateOf(*area.data);
   state["environment"] = held(area.environment);
@@ -55,6 +60,7 @@ std::shared_ptr<Area> areaFromState(const py::dict& state) {
   area->environment = py::cast<std::shared_ptr<Environment>>(state["environment"]);
   area->label = labelOf(*area->environment);
   area->pipeline = py::cast<Pipeline>(state["pipeline"]);
+  area->agent = agentText(area->pipeline);
   area->result.summary.area = py::cast<double>(state["area"]);
   area->result.threads = py::cast<int>(state["threads"]);
   area->statistics = std::string(py::cast<py::bytes>(state["statistics"]));
@@ -353,8 +359,7 @@ std::vector<Agent> agentListFrom(const py::object& given) {
   std::vector<Agent> agents;
   for (const py::handle agent : given) {
     if (!py::isinstance<Agent>(agent))
-      throw InputError("pipeline[" + std::to_string(agents.size()) + "]: a " +
-                       std::string(py::str(py::type::handle_of(agent).attr("__name__"))) +
+      throw InputError("pipeline[" + std::to_string(agents.size()) + "]: " + typeNameOf(agent) +
                        " is not accepted among agents; give a footfall.Agent");
     agents.push_back(agent.cast<Agent>());
   }
@@ -367,6 +372,7 @@ std::shared_ptr<Area> areaOf(std::shared_ptr<const Environment> environment, Age
   area->result = std::move(run.result);
   area->data = area->result.mesh;
   area->label = labelOf(*environment);
+  area->agent = agentText(run.pipeline);
   area->environment = std::move(environment);
   area->pipeline = std::move(run.pipeline);
   area->cache = std::move(cache);
@@ -401,7 +407,13 @@ bytes: about how much memory they may take; 0: an eighth of the machine's.)",
       [](std::shared_ptr<Environment> environment, const py::object& pipeline, int threads,
          std::shared_ptr<ResultCache> cache, const py::object& progress) -> py::object {
         if (areAgents(pipeline)) return runAll(environment, agentListFrom(pipeline), threads, cache, progress);
+        const bool isPipeline = py::isinstance<Pipeline>(pipeline) || py::isinstance<py::sequence>(pipeline);
         const bool isAgent = pipeline.is_none() || py::isinstance<Agent>(pipeline);
+        if (!isAgent && !isPipeline)
+          throw InputError(
+              "pipeline: " + typeNameOf(pipeline) +
+              " is not accepted; give a footfall.Pipeline, its text, a list of steps, a footfall.Agent, or "
+              "a list of agents");
         Pipeline steps = isAgent ? pipelineFor(*environment, agentFrom(pipeline, {})) : pipelineFrom(pipeline);
         return py::cast(run(std::move(environment), std::move(steps), threads, std::move(cache), progress));
       },
@@ -461,8 +473,11 @@ Raises InputError for arrays or numbers that are wrong, and RunError.)",
 }  // namespace
 
 std::string sizesOf(const NavigationMesh& mesh) {
-  return std::to_string(mesh.vertices.size()) + " vertices, " + std::to_string(mesh.triangles.size()) + " triangles, " +
-         std::to_string(mesh.layerCount) + " layers";
+  const auto counted = [](std::size_t count, const char* one, const char* many) {
+    return std::to_string(count) + ' ' + (count == 1 ? one : many);
+  };
+  return counted(mesh.vertices.size(), "vertex", "vertices") + ", " +
+         counted(mesh.triangles.size(), "triangle", "triangles") + ", " + counted(mesh.layerCount, "layer", "layers");
 }
 
 std::string labelOf(const Environment& environment) { return "walkable area of " + environment.source; }

@@ -28,4 +28,9 @@ py::str shownText(const std::string& text) {
   return py::reinterpret_steal<py::str>(shown);
 }
 
+std::string typeNameOf(const py::handle& object) {
+  const std::string name = py::str(py::type::handle_of(object).attr("__name__"));
+  return (name.find_first_of("AEIOUaeiou") == 0 ? "an " : "a ") + name;
+}
+
 }  // namespace footfall::python

@@ -17,4 +17,7 @@ std::string bytesOfName(const pybind11::str& name, const std::string& argument);
 /// A text for people. A byte that is no UTF-8 is shown as \xff.
 pybind11::str shownText(const std::string& text);
 
+/// The type of an object with its article, for messages: "an int", "a str".
+std::string typeNameOf(const pybind11::handle& object);
+
 }  // namespace footfall::python

@@ -32,6 +32,7 @@ struct Mesh {
   std::shared_ptr<const NavigationMesh> data;
   std::shared_ptr<const PathFinder> finder = nullptr;
   std::string label = "mesh of arrays";  ///< in reports
+  std::string agent = {};                ///< the agent that an area is for, in words; tells areas of one label apart
 };
 
 /// The result of a run: its mesh, and what it was made from.

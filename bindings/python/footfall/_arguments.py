@@ -80,11 +80,15 @@ def _fits(kind, value):
     return None
 
 
+def with_article(name):
+    return ("an " if name[:1] in "AEIOUaeiou" else "a ") + name
+
+
 def _shown(value):
     if isinstance(value, (int, float)) and not isinstance(value, bool):
         text = repr(value) if not isinstance(value, int) or abs(value) < 10**20 else "this number"
         return f"{text} is not accepted"
-    return ("None" if value is None else f"a {type(value).__name__}") + " is not accepted"
+    return ("None" if value is None else with_article(type(value).__name__)) + " is not accepted"
 
 
 def _wrong(name, native, args, kwargs, message):

@@ -6,6 +6,7 @@ import operator
 
 import numpy as np
 
+from . import _arguments
 from ._core import Comparison, Environment, InputError, NavigationMesh, Pipeline, WalkableArea
 
 _STEP, _GAP, _DROP, _WALL, _CONNECTION = "#c8a000", "#e07000", "#8030b0", "crimson", "black"
@@ -96,8 +97,8 @@ def _polygons(self, part=None):
         try:
             part = operator.index(part)
         except TypeError:
-            raise TypeError(f"NavigationMesh.polygons(): part: a {type(part).__name__} is not accepted; give a whole "
-                            "number or None") from None
+            raise TypeError(f"NavigationMesh.polygons(): part: {_arguments.with_article(type(part).__name__)} is not "
+                            "accepted; give a whole number or None") from None
         count = len(self.components())
         if not 0 <= part < count:
             raise InputError(f"part: there is no connected part {part}; " +

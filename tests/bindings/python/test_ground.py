@@ -194,6 +194,14 @@ class Reports(unittest.TestCase):
         self.assertEqual(repr(comparison),
                          "<footfall.Comparison of walkable area of small with walkable area of large: different>")
 
+    def test_areas_of_one_level_are_told_apart(self):
+        level = footfall.Environment(*scenes.floor(), name="hall")
+        thin, wide = footfall.run(level, [footfall.Agent(), footfall.Agent(radius=0.5)])
+        text = str(footfall.compare(thin, wide))
+        self.assertRegex(text, r"A: walkable area of hall \(slope 45 degrees, height 2[^)]*\): 2 triangles")
+        self.assertRegex(text, r"B: walkable area of hall \(.*radius 0\.5[^)]*\): ")
+        self.assertIn("A: walkable area of hall: ", str(footfall.compare(thin, footfall.run(level))))
+
     def test_older_names_still_work(self):
         mesh = footfall.NavigationMesh(*scenes.floor())
         comparison = footfall.compare(mesh, mesh)

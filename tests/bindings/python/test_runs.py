@@ -48,8 +48,8 @@ class Pipelines(unittest.TestCase):
             (["DegeneracyFilter", ("SlopeFilter",)], "^pipeline:2:"),
             ([("SlopeFilter", 95)], "^pipeline:1:.*95"),
             ([("SlopeFilter", "steep")], "^pipeline:1:.*steep"),
-            ([45], "^pipeline: a step is a int; give"),
-            (45, "^pipeline: a int is none; give"),
+            ([45], "^pipeline: an int is not accepted as a step; give"),
+            (45, "^pipeline: an int is not accepted; give a footfall.Pipeline, its text, or a list of steps"),
         ]:
             with self.subTest(steps), self.assertRaisesRegex(footfall.InputError, message):
                 footfall.Pipeline(steps)
@@ -68,7 +68,7 @@ class Pipelines(unittest.TestCase):
                      lambda: footfall.walkable_area(*scenes.floor(), step=0.2, agent=agent)):
             with self.assertRaisesRegex(footfall.InputError, "^agent: .* give either an agent or such numbers"):
                 call()
-        with self.assertRaisesRegex(footfall.InputError, "^agent: a str is none"):
+        with self.assertRaisesRegex(footfall.InputError, "^agent: a str is not accepted; give a footfall.Agent"):
             feet.pipeline_for(agent="Human")
 
     def test_agents_are_values(self):
