@@ -7,9 +7,11 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 #include "core/io/input_file.hpp"
+#include "core/pipeline/result_cache.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall {
@@ -70,12 +72,28 @@ std::vector<Pipeline> pipelinesFor(const Environment& environment, std::span<con
   return pipelines;
 }
 
-/// The least capacity of a cache in which the states of all agents have room.
-std::size_t capacityFor(const std::vector<Pipeline>& pipelines) {
-  constexpr std::size_t kUsual = 32;
-  std::size_t steps = 0;
-  for (const Pipeline& pipeline : pipelines) steps += pipeline.steps.size();
-  return std::max(kUsual, steps);
+/// The keys of all prefixes of a pipeline, the shortest first.
+std::vector<std::string> prefixKeys(const Pipeline& pipeline) {
+  std::vector<const PipelineStep*> steps;
+  for (const PipelineStep& step : pipeline.steps)
+    if (step.enabled) steps.push_back(&step);
+  std::vector<std::string> keys;
+  for (std::size_t count = 0; count <= steps.size(); ++count) keys.push_back(prefixKey(steps, count));
+  return keys;
+}
+
+/// The longest prefixes that two of the pipelines have in common.
+std::unordered_set<std::string> sharedPrefixes(const std::vector<Pipeline>& pipelines) {
+  std::vector<std::vector<std::string>> keys;
+  for (const Pipeline& pipeline : pipelines) keys.push_back(prefixKeys(pipeline));
+  std::unordered_set<std::string> shared;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    for (std::size_t j = i + 1; j < keys.size(); ++j) {
+      std::size_t count = 0;  // the prefixes of no step are equal
+      while (count + 1 < std::min(keys[i].size(), keys[j].size()) && keys[i][count + 1] == keys[j][count + 1]) ++count;
+      shared.insert(keys[i][count]);
+    }
+  return shared;
 }
 
 std::vector<ListedAgent> agentsNamed(std::string_view names) {
@@ -112,7 +130,11 @@ void runAgents(const std::shared_ptr<const Environment>& environment, std::span<
                RunContext& context, const AgentRunEvents& events, ResultCache* cache, int threads) {
   std::vector<Pipeline> pipelines = pipelinesFor(*environment, agents);
   std::optional<ResultCache> own;
-  if (cache == nullptr) cache = &own.emplace(capacityFor(pipelines));
+  if (cache == nullptr) {
+    std::unordered_set<std::string> shared = sharedPrefixes(pipelines);
+    cache = &own.emplace(std::max<std::size_t>(shared.size(), 1));
+    cache->inside().keepOnly(std::move(shared));
+  }
   for (std::size_t i = 0; i < pipelines.size(); ++i) {
     if (events.started) events.started(i, pipelines[i]);
     AgentRun run{std::move(pipelines[i]), {}};

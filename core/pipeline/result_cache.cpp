@@ -109,6 +109,7 @@ KnownPlaces PrefixCache::findPlaces(const EnvironmentPtr& environment, const std
 }
 
 void PrefixCache::store(const EnvironmentPtr& environment, const std::string& key, CachedPrefix prefix) {
+  if (only_ && !only_->contains(key)) return;
   std::list<Entry> added;
   std::vector<StatePart> parts = partsOf(prefix);  // once, as it looks at long lists
   added.push_back({environment, key, std::move(prefix), std::move(parts)});

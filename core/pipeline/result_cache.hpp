@@ -7,6 +7,8 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "core/filters/rounding/known_places.hpp"
@@ -34,6 +36,12 @@ class PrefixCache {
 
   /// `bytes` 0: an eighth of the machine's memory.
   PrefixCache(std::size_t capacity, std::size_t bytes);
+
+  /// Keeps the states of these prefixKey()s alone, and no data for runs after an edit: the pipelines of all runs are
+  /// known beforehand. To be called before the first run.
+  void keepOnly(std::unordered_set<std::string> keys) { only_ = std::move(keys); }
+  /// Returns whether runs after an edit may copy data of earlier runs.
+  [[nodiscard]] bool servesEdits() const { return !only_; }
 
   /// `key` is prefixKey() of the steps. Touches the entry.
   std::optional<CachedPrefix> find(const EnvironmentPtr& environment, const std::string& key);
@@ -70,6 +78,7 @@ class PrefixCache {
   std::mutex mutex_;
   std::size_t capacity_;
   std::size_t mostBytes_;
+  std::optional<std::unordered_set<std::string>> only_;
   std::list<Entry> entries_;  // most recently used first
 };
 

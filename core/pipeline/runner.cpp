@@ -128,7 +128,7 @@ class Run {
     context_.checkCancelled();
     if (!current_.mesh) {
       current_.mesh = guarded(FOOTFALL_TEXT("navigation mesh"), [&] { return makeProduct(); });
-      if (cache_ == nullptr) current_.rounded = nullptr;
+      if (!servesEdits()) current_.rounded = nullptr;
       remember();
     }
     if (cache_ != nullptr) returnMemory(kReturnedAtEnd);
@@ -314,7 +314,7 @@ class Run {
   }
 
   [[nodiscard]] KnownPlaces knownPlaces() const {
-    return cache_ != nullptr ? cache_->findPlaces(environment_, steps_, steps_.size()) : KnownPlaces();
+    return servesEdits() ? cache_->findPlaces(environment_, steps_, steps_.size()) : KnownPlaces();
   }
 
   std::shared_ptr<const NavigationMesh> makeProduct() {
@@ -335,9 +335,11 @@ class Run {
     return placeOfStep(pipeline_, static_cast<std::size_t>(steps_[index] - pipeline_.steps.data()));
   }
 
+  [[nodiscard]] bool servesEdits() const { return cache_ != nullptr && cache_->servesEdits(); }
+
   // The results of earlier runs after the first `count` steps.
   Recall recall(std::size_t count) {
-    if (cache_ == nullptr) return {nullptr, false, current_.state.use_count() == 1};
+    if (!servesEdits()) return {nullptr, false, current_.state.use_count() == 1};
     return {cache_->findEarlier(environment_, steps_, count), true, false};
   }
 

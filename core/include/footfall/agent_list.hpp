@@ -49,9 +49,10 @@ struct AgentRunEvents {
 
 /// Runs the pipeline of each agent over the environment, one after the other, in their order. A step that several
 /// pipelines begin with runs once. Each result has the bytes of a run of its own; its `steps` say which of them the
-/// agent added (computedSteps()), and its times are what the agent added. `cache` (null: one for this call alone) and
-/// `threads` are those of runPipeline(). Throws what runPipeline() throws, and InputError that names the agent's place
-/// in the list, before the first run, when a number of an agent is out of range.
+/// agent added (computedSteps()), and its times are what the agent added. `cache` and `threads` are
+/// those of runPipeline(); without a cache, only the states that several agents begin with are kept for this call.
+/// Throws what runPipeline() throws, and InputError that names the agent's place in the list, before the first run,
+/// when a number of an agent is out of range.
 void runAgents(const std::shared_ptr<const Environment>& environment, std::span<const Agent> agents,
                RunContext& context, const AgentRunEvents& events, ResultCache* cache = nullptr, int threads = 0);
 /// The same; returns the runs in the order of the agents.

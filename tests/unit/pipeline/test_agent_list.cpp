@@ -65,6 +65,8 @@ class TestAgentList : public QObject {
     QVERIFY(computedSteps(runs[1].result) > 0);
     QVERIFY(computedSteps(runs[1].result) < runs[1].result.steps.size());
     QCOMPARE(computedSteps(runs[4].result), std::size_t{0});
+    // The first five steps, up to the StepFilter, are those of the first agent, although another one ran meanwhile.
+    QCOMPARE(computedSteps(runs[3].result), runs[3].result.steps.size() - 5);
   }
 
   void manyAgentsStillShareTheirFirstSteps() {
