@@ -262,7 +262,11 @@ std::shared_ptr<const NavigationMesh> makeNavigationMesh(const WalkableState& st
   result->frame = state.environment->frame();
   if (!mesh.links.empty())
     result->links = roundLinks(mesh.links, places, settled.moved, bordersOf(settled.topology, order), *result);
-  result->drops = roundDrops(state, places, settled.moved, *result, Poll(context));
+  if (!mesh.drops.empty()) {
+    std::vector<std::uint32_t> origins(order.size());
+    std::transform(order.begin(), order.end(), origins.begin(), [&](Index t) { return settled.origins[t]; });
+    result->drops = roundDrops(state, places, settled.moved, *result, origins, Poll(context));
+  }
   return result;
 }
 

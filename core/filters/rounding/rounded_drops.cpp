@@ -24,7 +24,7 @@ Vec3 asVector(const Place& p) { return {std::get<0>(p), std::get<1>(p), std::get
 /// Sides and triangles of a product by the places of their corners.
 class ProductPlaces {
  public:
-  ProductPlaces(const NavigationMesh& mesh, const Poll& poll) : mesh_(mesh) {
+  ProductPlaces(const NavigationMesh& mesh, const std::vector<std::uint32_t>& origins, const Poll& poll) : mesh_(mesh) {
     const TriangleCorners corners(mesh.triangles);
     const Adjacency topology = findEdges(corners, mesh.vertices.size());
     for (Index e = 0; e < topology.edgeCount(); ++e) {
@@ -41,6 +41,16 @@ class ProductPlaces {
     }
     for (auto& [source, pieces] : ofSource_)
       if (pieces.triangles.size() > kManyPieces) buildTree(pieces, poll);
+    for (const Vec3& v : mesh.vertices)
+      hair_ = std::max({hair_, std::fabs(v.x) * 0x1p-40, std::fabs(v.y) * 0x1p-40, std::fabs(v.z) * 0x1p-40});
+    for (const std::uint32_t origin : origins) {
+      if (origin + 2 > firstOf_.size()) firstOf_.resize(origin + std::size_t{2}, 0);
+      ++firstOf_[origin + 1];
+    }
+    std::partial_sum(firstOf_.begin(), firstOf_.end(), firstOf_.begin());
+    ofOrigins_.resize(origins.size());
+    std::vector<std::uint32_t> next = firstOf_;
+    for (std::uint32_t t = 0; t < origins.size(); ++t) ofOrigins_[next[origins[t]]++] = t;
   }
 
   [[nodiscard]] std::optional<Index> side(const Place& from, const Place& to) const {
@@ -48,17 +58,32 @@ class ProductPlaces {
     return found == sides_.end() ? std::nullopt : std::optional(found->second);
   }
 
-  /// The triangle of a source triangle that holds a place best: farthest inside, or least outside.
-  [[nodiscard]] std::optional<std::uint32_t> triangle(std::uint32_t source, const Vec3& place) const {
+  /// The triangle of a source triangle that holds a place best: farthest inside, or least outside. What is left of a
+  /// triangle of the mesh is looked at first: triangles overlap by less than a hair, so none else holds a place better
+  /// that is more than that inside.
+  [[nodiscard]] std::optional<std::uint32_t> triangle(Index origin, std::uint32_t source, const Vec3& place) const {
+    Best own;
+    if (static_cast<std::size_t>(origin) + 1 < firstOf_.size())
+      for (std::uint32_t i = firstOf_[origin]; i < firstOf_[origin + 1]; ++i)
+        own.take(ofOrigins_[i], insideOf(ofOrigins_[i], place));
+    if (own.inside > hair_) return own.triangle;
     const auto found = ofSource_.find(source);
     if (found == ofSource_.end()) return std::nullopt;
     const Pieces& pieces = found->second;
+    const auto bestWithin = [&](double around) {
+      Best best;
+      pieces.tree.visitOverlapping({{place.x - around, place.y - around}, {place.x + around, place.y + around}},
+                                   [&](Index i) {
+                                     const std::uint32_t t = pieces.triangles[static_cast<std::size_t>(i)];
+                                     best.take(t, insideOf(t, place));
+                                   });
+      return best;
+    };
+    // A triangle that holds the place touches it with its box. Roundings put a place outside by no more than its last
+    // bits; farther triangles are looked at only where there is nothing so near.
+    if (const Best best = bestWithin(0); best.inside > 0) return best.triangle;
+    if (const Best best = bestWithin(hair_); best.triangle) return best.triangle;
     Best best;
-    pieces.tree.visitOverlapping({{place.x, place.y}, {place.x, place.y}}, [&](Index i) {
-      const std::uint32_t t = pieces.triangles[static_cast<std::size_t>(i)];
-      best.take(t, insideOf(t, place));
-    });
-    if (best.inside > 0) return best.triangle;  // a triangle that holds the place touches it with its box
     for (const std::uint32_t t : pieces.triangles) best.take(t, insideOf(t, place));
     return best.triangle;
   }
@@ -110,6 +135,9 @@ class ProductPlaces {
   const NavigationMesh& mesh_;
   std::map<std::pair<Place, Place>, Index> sides_;  ///< keyed by the border
   std::map<std::uint32_t, Pieces> ofSource_;
+  double hair_ = 0;  ///< more than repairs of what rounding broke move anything (rounded_mesh.hpp)
+  /// Triangles in the order of their origins, and the place of the first of each origin.
+  std::vector<std::uint32_t> ofOrigins_, firstOf_;
 };
 
 Vec3 unscaled(const std::array<double, 3>& p, int scale) {
@@ -120,12 +148,12 @@ Vec3 unscaled(const std::array<double, 3>& p, int scale) {
 
 std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<Vec3>& places,
                                  const std::vector<std::array<Vec3, 2>>& moved, const NavigationMesh& product,
-                                 Poll poll) {
+                                 const std::vector<std::uint32_t>& origins, Poll poll) {
   std::vector<DropLink> result;
   const WalkableMesh& mesh = *state.mesh;
   if (mesh.drops.empty()) return result;
   const SourceMesh& source = state.kernel->mesh();
-  const ProductPlaces known(product, poll);
+  const ProductPlaces known(product, origins, poll);
   std::map<Place, Place> movedTo;
   for (auto it = moved.rbegin(); it != moved.rend(); ++it) {
     const auto later = movedTo.find(placeOf((*it)[1]));
@@ -161,7 +189,7 @@ std::vector<DropLink> roundDrops(const WalkableState& state, const std::vector<V
     }
     for (const Vec3& p : link.landing)
       within = {within.x + p.x * ((1 - kInside) / 2), within.y + p.y * ((1 - kInside) / 2), 0};
-    const auto landing = known.triangle(source.inputTriangles[t.face], within);
+    const auto landing = known.triangle(drop.triangle, source.inputTriangles[t.face], within);
     if (!landing) continue;
     link.toTriangle = *landing;
     result.push_back(link);

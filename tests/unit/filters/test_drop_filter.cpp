@@ -137,6 +137,29 @@ class TestDropFilter : public QObject {
     QVERIFY(reaches(mesh, {4, 4, 1}, {1, 1, 0}));
     QVERIFY(!reaches(mesh, {1, 1, 0}, {4, 4, 1}));
   }
+
+  // Obstacles cut one floor into thousands of triangles.
+  void landingsLieInTheirTriangles() {
+    Soup crates = Soup().floor(0, 0, 40, 40, 0);
+    for (int i = 0; i < 100; ++i) {
+      const double x = 2 + 3.7 * (i % 10) + 0.01 * (i % 7), y = 2 + 3.7 * (i / 10) + 0.01 * (i % 9);
+      crates.box({x, y, 0}, {x + 1, y + 1, 1});
+    }
+    for (const std::string filters : {"", "SimplificationFilter\n", "RadiusFilter 0.1\nSimplificationFilter\n"}) {
+      const NavigationMesh mesh = dropped(crates, filters + drops(1.5, 0.5));
+      QVERIFY(mesh.triangles.size() > 600);
+      QVERIFY2(mesh.drops.size() >= 400, qPrintable(QString::number(mesh.drops.size())));
+      for (const DropLink& drop : mesh.drops) {
+        const Vec3 &p = drop.landing[0], &q = drop.landing[1];
+        const double x = (p.x + q.x) / 2, y = (p.y + q.y) / 2;
+        for (int k = 0; k < 3; ++k) {
+          const Vec3& a = mesh.vertices[mesh.triangles[drop.toTriangle][k]];
+          const Vec3& b = mesh.vertices[mesh.triangles[drop.toTriangle][(k + 1) % 3]];
+          QVERIFY((b.x - a.x) * (y - a.y) - (b.y - a.y) * (x - a.x) >= -1e-9);
+        }
+      }
+    }
+  }
 };
 
 QTEST_GUILESS_MAIN(TestDropFilter)
