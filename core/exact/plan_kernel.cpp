@@ -6,6 +6,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "core/exact/grid_of_parts.hpp"
 #include "core/exact/plan_predicates.hpp"
 #include "core/exact/rounded_quotient.hpp"
 #include "core/exact/sign_of_area.hpp"
@@ -355,14 +356,19 @@ ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, cons
   const double error = std::max(x.error, y.error);
   const double size = std::fabs(x.value) + std::fabs(y.value) + 1;
   if (error < kCoarse * size) return {x.value, y.value, error + sign_.slack};
-  const auto round = [&](const auto& exact) -> ApproximatePoint {
-    const int scale = grid_.low + mesh_->grid.scaleExponent();
+  GridOfParts parts(*this);
+  parts.addVertex(origin);
+  parts.addPoint(point);
+  const auto round = [&](const auto& context) -> ApproximatePoint {
+    const auto exact = homogeneousOn(context, point);
+    const int scale = context.gridExponent + mesh_->grid.scaleExponent();
     const double ex = roundedQuotient(viewOf(exact[0]), viewOf(exact[2]), scale);
     const double ey = roundedQuotient(viewOf(exact[1]), viewOf(exact[2]), scale);
     // Half a unit in the last place, doubled; an underflow is within the slack.
     return {ex, ey, std::max(std::fabs(ex), std::fabs(ey)) * 0x1p-52 + sign_.slack};
   };
-  return fitsFixedIntegers() ? round(fixedHomogeneous(point, origin)) : round(exactHomogeneous(point, origin));
+  return parts.hasFixedPlaces() ? round(parts.context<FixedInteger>(grid_, origin))
+                                : round(parts.context<mpz_class>(grid_, origin));
 }
 
 int PlanKernel::orientation(const PlanPoint& a, const PlanPoint& b, const PlanPoint& c, Index origin,
@@ -459,20 +465,25 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact
   };
   const auto& normal = mesh_->normals[face];
   if (x && y && isZero(normal[0]) && isZero(normal[1])) return {*x, *y, o.z};
+  GridOfParts parts(*this);
+  parts.addTriangle(face);
+  parts.addPoint(point);
   const auto place = [&](const auto& context) -> Vec3 {
     using T = typename std::decay_t<decltype(context)>::T;
+    const int low = context.gridExponent;
     const auto h = homogeneousOn(context, point);
     const auto& n = context.normal(face);
     // (local + base) on the grid over a common denominator, without reducing fractions
     const auto round = [&](const T& numerator, const T& denominator, double base) {
-      const T whole = numerator + gridInteger<T>(base, grid_.low) * denominator;
-      return roundedQuotient(viewOf(whole), viewOf(denominator), grid_.low, exact);
+      const T whole = numerator + gridInteger<T>(base, low) * denominator;
+      return roundedQuotient(viewOf(whole), viewOf(denominator), low, exact);
     };
     const T fall = n[0] * h[0] + n[1] * h[1];
     return {x ? *x : round(h[0], h[2], o.x), y ? *y : round(h[1], h[2], o.y),
             sgn(fall) == 0 ? o.z : round(-fall, n[2] * h[2], o.z)};
   };
-  return fitsFixedIntegers() ? place(gridContext<FixedInteger>(origin)) : place(gridContext<mpz_class>(origin));
+  return parts.hasFixedPlaces() ? place(parts.context<FixedInteger>(grid_, origin))
+                                : place(parts.context<mpz_class>(grid_, origin));
 }
 
 double nearestDouble(const mpq_class& value) {
