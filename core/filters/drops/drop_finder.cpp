@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "core/base/parallel.hpp"
 #include "core/base/vector.hpp"
@@ -146,7 +147,6 @@ void DropFinder::tryBorder(const Border& border, double reach, Worker& worker) c
   kinds.turnTo(edgeOf(border), begin, end);
   const std::vector<EdgePiece> ledges = kinds.ledges();
   if (ledges.empty()) return;
-  kinds.lookBelow(kinds.heightOf(levels_.depth));
   dropStraight(border, ledges, worker);
   if (!(reach > 0)) return;
   Tree::Bounds query = boundsOf(border.from, border.to);
@@ -197,6 +197,7 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
   };
   Tree::Bounds query = boundsOf(border.from, border.to);
   query.lower[2] -= kinds.heightOf(levels_.depth);
+  bool hasLookedBelow = false;
   triangleTree_.visitOverlapping(query, [&](Index t) {
     context_.checkCancelled();
     Landing landing;
@@ -212,6 +213,7 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
     pieces.add(landing.below);
     pieces.add(landing.deep);
     // Obstacles over the landing, below the head of an agent at the start.
+    if (!std::exchange(hasLookedBelow, true)) kinds.lookBelow(kinds.heightOf(levels_.depth));
     std::vector<std::pair<const CoverAlong*, SignAlong>> over;
     for (std::size_t i = 0; i < kinds.covers().size(); ++i) {
       const CoverAlong& c = kinds.covers()[i];

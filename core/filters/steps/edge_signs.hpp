@@ -59,9 +59,7 @@ class EdgeSigns {
   /// Positive on the triangle's side of its edge from corner k to k + 1; the triangle is not vertical.
   SignAlong inside(const BorderEdge& edge, Index triangle, int k);
   /// Positive where the triangle, which is not vertical, is higher than `face` raised by a level.
-  SignAlong height(const BorderEdge& edge, Index triangle, Index face, Index level) {
-    return ofLine(edge, {PlanLine::Trace, triangle, level}, face);
-  }
+  SignAlong height(const BorderEdge& edge, Index triangle, Index face, Index level);
   /// Finds the place where a sign changes, if it does and the place is not known. The sign must not come from leftOf().
   void locate(const BorderEdge& edge, SignAlong& sign) const;
   /// Finds the place for a sign of leftOf() of the same vertices.
@@ -76,6 +74,8 @@ class EdgeSigns {
   ExactFallbacks fallbacks;
 
  private:
+  /// Sign of the height of a triangle's plane over a vertex raised by a level, where doubles show it; else 0.
+  [[nodiscard]] int quickHeight(Index triangle, Index level, const MeshVertex& p) const;
   [[nodiscard]] int sideAt(const PlanLine& line, Index face, const MeshVertex& p);
 
   const PlanKernel& kernel_;
