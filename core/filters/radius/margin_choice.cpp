@@ -40,24 +40,12 @@ void keepPositive(Stretch& stretch, double first, double last, double hair) {
 
 }  // namespace
 
-MarginChoice::Stretch MarginChoice::insideOf(Outline outline, const PlanVector& from, const PlanVector& to) {
+MarginChoice::Stretch MarginChoice::part(Outline outline, const PlanVector& from, const PlanVector& to, int doubt) {
   Stretch stretch;
   const PlanVector* a = &outline.back();
   for (const PlanVector& b : outline) {
     const Offset first = offsetOf(*a, b, from), last = offsetOf(*a, b, to);
-    keepPositive(stretch, first.value - first.error, last.value - last.error, kHair);
-    if (stretch.isEmpty()) break;
-    a = &b;
-  }
-  return stretch;
-}
-
-MarginChoice::Stretch MarginChoice::maybeInsideOf(Outline outline, const PlanVector& from, const PlanVector& to) {
-  Stretch stretch;
-  const PlanVector* a = &outline.back();
-  for (const PlanVector& b : outline) {
-    const Offset first = offsetOf(*a, b, from), last = offsetOf(*a, b, to);
-    keepPositive(stretch, first.value + first.error, last.value + last.error, -kHair);
+    keepPositive(stretch, first.value + doubt * first.error, last.value + doubt * last.error, -doubt * kHair);
     if (stretch.isEmpty()) break;
     a = &b;
   }
@@ -167,7 +155,8 @@ MarginChoice::Result MarginChoice::chooseOn(const std::array<PlanVector, 3>& cor
   face_ = corners;
   candidates_.clear();
   needed_.clear();
-  for (const Index number : numbers) add(number);
+  for (const Index number : numbers)
+    if (add(number) && holdsFace(candidates_.back())) return {true, {}};
   if (isCovered(nullptr)) return {true, {}};
   if (candidates_.size() > 1)
     for (Candidate& candidate : candidates_)

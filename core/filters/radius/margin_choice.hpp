@@ -33,6 +33,7 @@ class MarginChoice {
   struct Stretch {
     double begin = 0, end = 1;
     [[nodiscard]] bool isEmpty() const { return !(begin < end); }
+    [[nodiscard]] bool isWhole() const { return begin <= 0 && end >= 1; }
   };
   using Outline = std::span<const PlanVector>;  ///< outline of a convex polygon, counter-clockwise
   struct Candidate {
@@ -43,8 +44,14 @@ class MarginChoice {
                                                    ///< may be
   };
   bool add(Index margin);
-  static Stretch insideOf(Outline outline, const PlanVector& from, const PlanVector& to);
-  static Stretch maybeInsideOf(Outline outline, const PlanVector& from, const PlanVector& to);
+  /// A convex polygon holds a triangle when it holds its outline.
+  static bool holdsFace(const Candidate& c) {
+    return c.onEdges[0].isWhole() && c.onEdges[1].isWhole() && c.onEdges[2].isWhole();
+  }
+  /// The part of an edge that is inside for certain (`doubt` -1), or that may be (1).
+  static Stretch part(Outline outline, const PlanVector& from, const PlanVector& to, int doubt);
+  static Stretch insideOf(Outline o, const PlanVector& from, const PlanVector& to) { return part(o, from, to, -1); }
+  static Stretch maybeInsideOf(Outline o, const PlanVector& from, const PlanVector& to) { return part(o, from, to, 1); }
   [[nodiscard]] bool areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
                                 const Candidate* first, const Candidate* second) const;
   [[nodiscard]] bool isFaceEdgeCovered(int k, const Stretch& stretch, const Candidate* except) const;
