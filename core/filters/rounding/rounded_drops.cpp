@@ -82,7 +82,7 @@ class ProductPlaces {
     // A triangle that holds the place touches it with its box. Roundings put a place outside by no more than its last
     // bits; farther triangles are looked at only where there is nothing so near.
     if (const Best best = bestWithin(0); best.inside > 0) return best.triangle;
-    if (const Best best = bestWithin(hair_); best.triangle) return best.triangle;
+    if (const Best best = bestWithin(hair_); best.inside >= -hair_) return best.triangle;
     Best best;
     for (const std::uint32_t t : pieces.triangles) best.take(t, insideOf(t, place));
     return best.triangle;
