@@ -16,6 +16,8 @@ namespace footfall::detail {
 class PairSet {
  public:
   [[nodiscard]] bool contains(const std::array<Index, 2>& pair) const { return slots_[slotOf(keyOf(pair))] != 0; }
+  /// Fetches what contains() will read: a large set is in no cache, and several pairs are fetched as fast as one.
+  void prefetch(const std::array<Index, 2>& pair) const { __builtin_prefetch(&slots_[startOf(keyOf(pair))]); }
   /// Returns whether the pair was not in the set.
   bool insert(const std::array<Index, 2>& pair) {
     if (2 * ++count_ > slots_.size()) grow();
@@ -28,9 +30,12 @@ class PairSet {
   static std::uint64_t keyOf(const std::array<Index, 2>& pair) {
     return static_cast<std::uint64_t>(pair[0]) << 32 | static_cast<std::uint64_t>(pair[1]);
   }
+  [[nodiscard]] std::size_t startOf(std::uint64_t key) const {
+    return (key ^ key >> 29) * 0x9E3779B97F4A7C15ULL >> 20 & (slots_.size() - 1);
+  }
   [[nodiscard]] std::size_t slotOf(std::uint64_t key) const {
     const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = (key ^ key >> 29) * 0x9E3779B97F4A7C15ULL >> 20 & mask;
+    std::size_t slot = startOf(key);
     while (slots_[slot] != 0 && slots_[slot] != key) slot = (slot + 1) & mask;
     return slot;
   }

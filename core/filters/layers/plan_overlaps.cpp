@@ -2,8 +2,9 @@
 //
 // Call a side inner when exactly one other triangle has its edge, on the other side of it; a triangle with another side
 // is a border triangle. All triangles face up. Take all overlapping pairs, and link (s, t) with (s', t), (s, t') and
-// (s', t') where s' and t' are neighbours across inner sides. Every set of linked pairs has a pair of which one
-// triangle has a border side that lies, along a piece of it, within the other one or on its border:
+// (s', t') where s' and t' are neighbours across inner sides, in the third case ones that lie on one line. Every set of
+// linked pairs has a pair of which one triangle has a border side that lies, along a piece of it, within the other one
+// or on its border:
 //
 // Glue the intersections of the pairs of such a set along their edges. A point on the edge of the intersection of s and
 // t, corners aside, lies on a side of s, and within t or on a side of t as well (or the other way round). Where all
@@ -37,6 +38,7 @@
 #include "core/base/unfilled_array.hpp"
 #include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/pair_set.hpp"
+#include "core/filters/layers/triangle_sides.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -169,17 +171,35 @@ class OverlapFinder {
   }
 
   void testLinked(Local& local, const Pair& pair, const PairSet& known) const {
-    const auto near = [this](Index t) {
-      return std::array<Index, 4>{t, across_[3 * t], across_[3 * t + 1], across_[3 * t + 2]};
-    };
-    for (const Index s : near(pair[0])) {
-      if (s < 0) continue;
-      const PlanTriangle plan = planOf(s);
-      for (const Index t : near(pair[1])) {
-        if (t < 0 || t == s || known.contains(orderedPair(s, t))) continue;
-        if (overlaps(local, s, plan, t)) local.found.push_back(orderedPair(s, t));
+    const TriangleAndAcross first = withAcross(pair[0]), second = withAcross(pair[1]);
+    std::array<std::array<std::uint8_t, 2>, 16> linked{};
+    std::size_t count = 0;
+    for (std::uint8_t i = 0; i < first.size(); ++i) {
+      for (std::uint8_t j = 0; j < second.size(); ++j) {
+        const BoxedTriangle &s = first[i], &t = second[j];
+        if (s.triangle < 0 || t.triangle < 0 || t.triangle == s.triangle || s.isApartFrom(t)) continue;
+        if (i > 0 && j > 0 && !mayLieOnOneLine(first[0].plan, i - 1, second[0].plan, j - 1, kernel_.sign().slack))
+          continue;
+        known.prefetch(orderedPair(s.triangle, t.triangle));
+        linked[count++] = {i, j};
       }
     }
+    for (std::size_t n = 0; n < count; ++n) {
+      const BoxedTriangle &s = first[linked[n][0]], &t = second[linked[n][1]];
+      const Pair other = orderedPair(s.triangle, t.triangle);
+      if (!known.contains(other) && overlaps(local, s.triangle, s.plan, t.triangle)) local.found.push_back(other);
+    }
+  }
+
+  [[nodiscard]] TriangleAndAcross withAcross(Index t) const {
+    TriangleAndAcross all;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Index triangle = i == 0 ? t : across_[3 * t + i - 1];
+      if (triangle < 0) continue;
+      const PlanTriangle plan = planOf(triangle);
+      all[i] = {triangle, plan, boundsOf(plan)};
+    }
+    return all;
   }
 
   [[nodiscard]] static Pair orderedPair(Index s, Index t) { return {std::max(s, t), std::min(s, t)}; }
@@ -423,8 +443,7 @@ class OverlapFinder {
     return !sheet_.empty() && sheet_[s] >= 0 && sheet_[s] == sheet_[t];
   }
 
-  static constexpr std::size_t kPerTask = 32, kFirstBatch = 256;
-  static constexpr std::size_t kVerticesPerTask = 2048, kPolled = 4096;
+  static constexpr std::size_t kPerTask = 32, kFirstBatch = 256, kVerticesPerTask = 2048, kPolled = 4096;
   static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
   /// A pair is linked with 15 others, or found once from either triangle's border sides.
   static constexpr std::size_t kMostTimesFound = 16;
