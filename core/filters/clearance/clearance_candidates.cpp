@@ -184,18 +184,21 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
 
 // The face's own box may cross parts that the box of a part does not.
 void ClearanceCandidates::search(const Box& box, bool isPart) {
-  if (exactTree_ && !isPart) {
+  const auto take = [&](Index obstacle) {
+    if ((++polls_ & 255) == 0) poll_();
+    if (!onlyTouches(obstacle)) consider(obstacle);
+    return !areKnownToCover_;
+  };
+  if (fans_ != nullptr && !isPart && fans_->contains(face_)) {
+    fans_->visit(face_, box, stack_, take);
+  } else if (exactTree_ && !isPart) {
     mesh_.tree.visitCrossing(box, stack_, [&](Index obstacle, bool crosses) {
       if ((++polls_ & 255) == 0) poll_();
       if (crosses || (mesh_.facing[obstacle] == 0 && !onlyTouches(obstacle))) consider(obstacle);
       return !areKnownToCover_;
     });
   } else {
-    mesh_.tree.visitOverlapping(box, stack_, [&](Index obstacle) {
-      if ((++polls_ & 255) == 0) poll_();
-      if (!onlyTouches(obstacle)) consider(obstacle);
-      return !areKnownToCover_;
-    });
+    mesh_.tree.visitOverlapping(box, stack_, take);
   }
   sort();
 }

@@ -12,6 +12,7 @@
 #include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
 #include "core/filters/clearance/crowding.hpp"
+#include "core/filters/clearance/needle_fans.hpp"
 #include "core/filters/clearance/three_signs.hpp"
 #include "core/filters/open_grid.hpp"
 #include "footfall/statistics.hpp"
@@ -47,6 +48,10 @@ class ClearanceCandidates {
   /// `isFloor(t)`: triangle t takes part as a floor (coplanar floors are kept once). `level` is the clearance's level
   /// in the kernel. `poll` is called now and then and may throw to cancel.
   ClearanceCandidates(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
+
+  /// `fans` are those of the kernel's mesh, or null, and must outlive this object. What is found does not depend on
+  /// them.
+  void useFans(const NeedleFans* fans) { fans_ = fans; }
 
   /// All triangles that reach into the clearance and overlap the face in the plan, and of those in its plane the floors
   /// that come before it; in the order of the triangles. Not all when areKnownToCover() or with openSquares(). Good
@@ -135,6 +140,7 @@ class ClearanceCandidates {
   double height_;
   double scaledHeight_;
   Poll poll_;
+  const NeedleFans* fans_ = nullptr;
   std::uint32_t polls_ = 0;
   bool exactOrientations_ = false, exactHeights_ = false, exactTree_ = false;
 

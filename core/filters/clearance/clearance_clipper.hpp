@@ -40,6 +40,9 @@ class ClearanceClipper : private FaceCutter {
   /// Takes what ClearanceCandidates takes.
   ClearanceClipper(const PlanKernel& kernel, std::function<bool(Index)> isFloor, Index level, Poll poll);
 
+  /// See ClearanceCandidates.
+  void useFans(const NeedleFans* fans) { candidates_.useFans(fans); }
+
   /// The cuts on a walkable face, together with those that it has from an earlier clearance (may be null). Good until
   /// the next call, and as long as `earlier`.
   const FaceCuts& clip(Index face, const FaceCuts* earlier);

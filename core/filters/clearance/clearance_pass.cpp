@@ -19,7 +19,9 @@ ClearancePass::Worker::Worker(const ClearancePass& pass, RunContext& context)
       clipper_(
           *pass.result_->kernel, [this](Index face) { return floors.isFloor(face); }, pass.level_, context),
       mesher_(*pass.result_->kernel, context),
-      copies_(makeCopyMemory()) {}
+      copies_(makeCopyMemory()) {
+  clipper_.useFans(pass.fans_.get());
+}
 
 ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<FaceTest> tests,
                              const BorderCoordinates& borders, const Recall& recall, RunContext& context)
@@ -39,6 +41,7 @@ ClearancePass::ClearancePass(const StatePtr& state, double given, std::vector<Fa
   borderKernel_ = borders[0].empty() && borders[1].empty()
                       ? result_->kernel
                       : std::make_shared<PlanKernel>(kernel.sharedMesh(), kernel.heights(), borders);
+  fans_ = NeedleFans::find(kernel.mesh(), Poll(&context));
   const std::size_t count = kernel.mesh().triangles.size();
 
   // Only a first clearance filter can be taken over or remembered: later ones add to the cuts of others.

@@ -17,6 +17,7 @@
 #include "core/filters/apply_filter.hpp"
 #include "core/filters/clearance/clearance_clipper.hpp"
 #include "core/filters/clearance/known_cuts.hpp"
+#include "core/filters/clearance/needle_fans.hpp"
 #include "core/filters/face_filter.hpp"
 
 namespace footfall::detail {
@@ -96,6 +97,7 @@ class ClearancePass {
   std::vector<FaceTest> tests_;
   std::shared_ptr<WalkableState> result_;
   std::shared_ptr<const PlanKernel> borderKernel_;
+  std::unique_ptr<const NeedleFans> fans_;
   Index level_ = -1;
   std::shared_ptr<AssemblyMemory> memory_;
   std::optional<EarlierResult> earlier_;
