@@ -86,6 +86,8 @@ TileRunResult runPacked(const std::string& file, const TileCommandOptions& optio
   if (std::ranges::all_of(bounds.roles, [](PartRole role) { return role == PartRole::Ignored; }))
     throw InputError("--ignore: nothing of " + options.environment.path + " is left; ignore fewer meshes or materials");
   if (!pipeline) pipeline = defaultPipeline(environment.head());
+  if (!options.quiet)
+    bounds.note = [](const Text& note) { std::cerr << "footfall: note: --memory: " << note.str() << '\n'; };
   session.begin("running in cells", kTileRunSteps);
   TileRunResult made = runIntoTiles(environment, *pipeline, options.folder, bounds, ranks, session.context());
   session.end();

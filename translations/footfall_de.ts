@@ -1492,6 +1492,10 @@
         <translation>%1 Threads liegen außerhalb des Bereichs; geben Sie 1 bis %2 an, oder 0 für so viele, wie der Rechner hat</translation>
     </message>
     <message>
+        <source>a memory of %1 is probably too little for layers, which come last; %2 are probably enough</source>
+        <translation>ein Speicher von %1 ist wahrscheinlich zu wenig für die Ebenen, die zuletzt kommen; %2 sind wahrscheinlich genug</translation>
+    </message>
+    <message>
         <source>coordinates of very different sizes were rounded to a grid of %1, which is the last digit of the largest one, because runs would take many times longer; --grid off keeps them</source>
         <translation>Koordinaten sehr verschiedener Größe wurden auf ein Raster von %1 gerundet, die letzte Stelle der größten, weil Läufe sonst um ein Vielfaches länger dauerten; mit --grid off bleiben sie, wie sie sind</translation>
     </message>

@@ -63,6 +63,9 @@ struct FloorsAtGaps {
 struct ListedFloors {
   std::vector<std::uint32_t> floors;
   std::vector<FloorsAtGaps::Corner> corners;
+  [[nodiscard]] std::uint64_t bytes() const {
+    return floors.size() * sizeof(floors[0]) + corners.size() * sizeof(corners[0]);
+  }
 };
 
 /// The floors of a cell.

@@ -27,8 +27,6 @@ std::uint64_t keptBetween(std::uint64_t memory) {
   return std::max(kKeptBlocks, std::min(memory / 16, std::uint64_t{32} << 20));
 }
 
-std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
-
 [[noreturn]] void failWith(const std::string& source, std::uint64_t memory, std::uint64_t least) {
   throw InputError(
       FOOTFALL_TEXT("%1: a memory of %2 is too little; give %3 or more, or run without the bound, with all of "
@@ -51,6 +49,8 @@ FloorRule ruleOf(const CellSteps& steps, const std::vector<PartRole>& roles, con
 }
 
 }  // namespace
+
+std::string inMegabytes(std::uint64_t bytes) { return std::to_string((bytes + kMegabyte - 1) / kMegabyte) + " MB"; }
 
 void checkMemory(const std::string& source, std::uint64_t memory) {
   if (memory <= kOfProcess + kOfFace + kOfFloor) failWith(source, memory, kOfProcess + kMegabyte);
@@ -93,15 +93,19 @@ void CellRunner::link(DroppedTriangles dropped) {
 }
 
 std::uint64_t CellRunner::needed(const CellSize& size) const {
-  return fixed_ + kOfFace * size.faces + kOfFloor * size.floors;
+  return fixed_ + ofListed_ + kOfFace * size.faces + kOfFloor * size.floors;
 }
 
 // More memory keeps more blocks between cells, at most a sixteenth of it, so the sum is approached from below.
-void CellRunner::failTooLittle(std::uint64_t bytes) const {
-  const std::uint64_t rest = fixed_ - keptBetween(memory_) + std::max(bytes, expected_);
+std::uint64_t CellRunner::leastFor(std::uint64_t bytes) const {
+  const std::uint64_t rest = fixed_ - keptBetween(memory_) + bytes;
   std::uint64_t least = rest;
   while (least < rest + keptBetween(least)) least = rest + keptBetween(least);
-  failWith(environment_.head().source, memory_, least);
+  return least;
+}
+
+void CellRunner::failTooLittle(std::uint64_t bytes) const {
+  failWith(environment_.head().source, memory_, leastFor(std::max(bytes, expected_)));
 }
 
 void CellRunner::failTooLittle(const OwnFloors& own) const {
@@ -171,7 +175,9 @@ void CellRunner::run(const FaceRange& range, const Visit& visit) {
 }
 
 std::optional<MadeTile> CellRunner::runListed(const ListedFloors& floors) {
+  ofListed_ = floors.bytes();
   std::optional<MadeTile> made = makeWithin({{}, &floors});
+  if (made) ofListed_ = 0;
   ++(made ? counts_.cells : counts_.refused);
   return made;
 }

@@ -18,6 +18,9 @@
 
 namespace footfall::detail {
 
+/// Bytes as messages say them.
+[[nodiscard]] std::string inMegabytes(std::uint64_t bytes);
+
 /// Throws InputError where so much memory is too little for any environment; `source` is its file.
 void checkMemory(const std::string& source, std::uint64_t memory);
 
@@ -57,6 +60,10 @@ class CellRunner {
   /// Messages about too little memory name enough for so many bytes besides those that are charged, an estimate of what
   /// later work needs. No run is refused because of it.
   void expect(std::uint64_t bytes) { expected_ = std::max(expected_, bytes); }
+  /// From now on messages name no more than what is known to be needed.
+  void expectNothing() { expected_ = 0; }
+  /// The least memory in which so many bytes besides those that are charged have room.
+  [[nodiscard]] std::uint64_t leastFor(std::uint64_t bytes) const;
   /// Throws InputError: so many bytes besides those that are charged are needed. It names the least memory in which
   /// they and those that are expected have room.
   [[noreturn]] void failTooLittle(std::uint64_t bytes) const;
@@ -82,6 +89,7 @@ class CellRunner {
   CellCollector collector_;
   std::uint64_t fixed_ = 0;
   std::uint64_t expected_ = 0;
+  std::uint64_t ofListed_ = 0;       ///< bytes of the list of floors at work, or that did not fit
   std::uint64_t neededForTile_ = 0;  ///< for the last cell, if filters see over the borders of tiles; or 0
   Grid grid_;
   int reach_ = kUsualReach;  ///< reach of the last cell

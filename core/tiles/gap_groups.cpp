@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "core/base/box_tree.hpp"
@@ -46,6 +47,15 @@ void joinAtCorners(const FloorsAtGaps& all, const std::vector<Index>& floorOfCor
 
 }  // namespace
 
+// The constructor below holds the lists, for each floor its number, its set and its group, twice the begin of a group
+// and the list of floors; for each corner and each side the place of its floor; and the tree of the sides.
+std::uint64_t GapGroups::bytesToMake(const FloorsAtGaps& all) {
+  constexpr std::uint64_t kOfFloor = 2 * sizeof(std::uint32_t) + sizeof(Index) + 16 + 2 * sizeof(Begin);
+  constexpr std::uint64_t kOfCorner = sizeof(Index) + sizeof(FloorsAtGaps::Corner);
+  constexpr std::uint64_t kOfSide = 2 * sizeof(Index) + 48;
+  return all.bytes() + all.floors.size() * kOfFloor + all.corners.size() * kOfCorner + all.sides.size() * kOfSide;
+}
+
 GapGroups::GapGroups(FloorsAtGaps all, double gap, Poll poll) {
   std::vector<std::uint32_t> numbers = all.floors;
   sortOnce(numbers);
@@ -62,7 +72,10 @@ GapGroups::GapGroups(FloorsAtGaps all, double gap, Poll poll) {
   const auto placesOf = [&placeOf](const auto& some) {
     std::vector<Index> places;
     places.reserve(some.size());
-    for (const auto& each : some) places.push_back(placeOf(each.floor));
+    for (const auto& each : some) {
+      places.push_back(placeOf(each.floor));
+      if (places.back() < 0) throw std::logic_error("a gap is at a floor that is not listed");
+    }
     return places;
   };
   const std::vector<Index> floorOfCorner = placesOf(all.corners);

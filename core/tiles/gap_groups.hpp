@@ -18,8 +18,12 @@ namespace footfall::detail {
 class GapGroups {
  public:
   GapGroups() = default;
-  /// `gap` is the widest gap in environment units. Groups are in the order of their first floors.
+  /// `gap` is the widest gap in environment units. Groups are in the order of their first floors. Throws
+  /// std::logic_error where a corner or a side is of a floor that is not listed.
   GapGroups(FloorsAtGaps all, double gap, Poll poll);
+
+  /// The memory that it takes to make groups of these, with them.
+  [[nodiscard]] static std::uint64_t bytesToMake(const FloorsAtGaps& all);
 
   [[nodiscard]] std::size_t count() const { return groups_.empty() ? 0 : groups_.size() - 1; }
   /// A group strictly between two others, about as many floors behind the first one as before the last one.

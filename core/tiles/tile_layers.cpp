@@ -93,8 +93,10 @@ class TileLayers {
   }
 
   void run() {
-    requireMemory();
+    checkNumbers();
+    isCounting_ = bytesWith(0) > stage_.memory;
     findOverlaps();
+    if (isCounting_) stage_.failTooLittle(bytesWith(pairCount_));
     TileGathering::Whole whole = gather();
     const std::vector<std::uint32_t> layers = layersOf(std::move(whole));
     for (std::size_t i = 0; i < stage_.tiles.size(); ++i) {
@@ -109,13 +111,12 @@ class TileLayers {
   }
 
  private:
-  void requireMemory() const {
+  void checkNumbers() const {
     constexpr auto kMost = static_cast<std::uint64_t>(std::numeric_limits<Index>::max());
-    if (first_.back() > kMost / 3 || pairs_.size() > kMost / 2)
+    if (first_.back() > kMost / 3 || pairCount_ > kMost / 2)
       throw RunError(
           FOOTFALL_TEXT("the walkable area has more triangles than LayerSubdivisionFilter can number; leave "
                         "it out"));
-    stage_.require(bytesWith(pairs_.size()), bytesWith(expectedPairs()));
   }
 
   [[nodiscard]] std::uint64_t bytesWith(std::uint64_t pairs) const {
@@ -127,16 +128,23 @@ class TileLayers {
   [[nodiscard]] std::uint64_t expectedPairs() const {
     const std::uint64_t done = first_[begun_];
     if (done == 0) return first_.back() * kUsualPairs;
-    const double perTriangle = static_cast<double>(pairs_.size()) / static_cast<double>(done);
+    const double perTriangle = static_cast<double>(pairCount_) / static_cast<double>(done);
     return static_cast<std::uint64_t>(1.25 * perTriangle * static_cast<double>(first_.back()));
   }
 
+  // Where there is no room for all pairs, they are counted to the end, so that the message names what is enough.
   void addPairs(const TileUnion& made, const std::vector<Pair>& found) {
+    pairCount_ += found.size();
+    checkNumbers();
+    if (!isCounting_ && bytesWith(pairCount_) > stage_.memory) {
+      isCounting_ = true;
+      pairs_ = {};
+    }
+    if (isCounting_) return;
     const auto numberOf = [&](Index t) {
       return static_cast<Index>(first_[made.partOf(t).tile]) + made.numberInTile(t);
     };
     for (const auto& [s, t] : found) pairs_.push_back({numberOf(s), numberOf(t)});
-    requireMemory();
   }
 
   void findOverlaps() {
@@ -176,7 +184,7 @@ class TileLayers {
   [[nodiscard]] TileUnion unionOf(std::vector<TileUnion::Part> parts) const {
     std::uint64_t count = 0;
     for (const TileUnion::Part& part : parts) count += part.triangles.triangles.size();
-    stage_.require(count * kOfUnionTriangle + pairs_.size() * sizeof(Pair));
+    stage_.require(count * kOfUnionTriangle + pairs_.size() * sizeof(Pair), bytesWith(expectedPairs()));
     return {std::move(parts), stage_.grid, context_};
   }
 
@@ -211,6 +219,8 @@ class TileLayers {
   std::vector<std::uint64_t> first_;  ///< number of triangles before each tile; then of all
   std::size_t begun_ = 0;             ///< number of tiles whose pairs are listed, the one at work included
   std::vector<Pair> pairs_;           ///< numbers of triangles as tiles have them one behind the other
+  std::uint64_t pairCount_ = 0;       ///< all that were found
+  bool isCounting_ = false;           ///< there is no room for the pairs
 };
 
 }  // namespace

@@ -112,14 +112,21 @@ class TileRun {
     return decodeSurvey(ranks_.fromFirst(encodeSurvey(all), context_));
   }
 
-  // A message about too little memory for cells names enough for the layers of their floors, too.
+  // A message about too little memory for cells names enough for the layers of their floors, too. A note says before
+  // the first cell that they will not fit.
   void expectLayers(const BlockSurvey& survey) {
     const bool hasLayers = std::any_of(steps_.global.begin(), steps_.global.end(), [](const PipelineStep& step) {
       return step.filter->type == FilterType::LayerSubdivision;
     });
     if (!hasLayers) return;
     const std::uint64_t floors = std::accumulate(survey.floors.begin(), survey.floors.end(), std::uint64_t{0});
-    runner_.expect(floors * (kOfLayerTriangle + kUsualPairs * kOfLayerPair));
+    const std::uint64_t expected = floors * (kOfLayerTriangle + kUsualPairs * kOfLayerPair);
+    runner_.expect(expected);
+    if (floors * (kOfLayerTriangle + kFewPairs * kOfLayerPair) <= runner_.free()) return;
+    if (ranks_.isFirst() && options_.note)
+      options_.note(Text(FOOTFALL_TEXT("a memory of %1 is probably too little for layers, which come last; %2 are "
+                                       "probably enough"),
+                         inMegabytes(options_.memory), inMegabytes(runner_.leastFor(expected))));
   }
 
   // Cells see a different amount beside their own faces in each environment and pipeline, so some are measured when
@@ -269,6 +276,7 @@ class TileRun {
         isSimplified = true;
         simplifyTiles(stage, context_);
       } else {
+        runner_.expectNothing();
         layTiles(stage, context_);
       }
       returnFreedMemory();
@@ -285,7 +293,8 @@ class TileRun {
   void runGaps() {
     if (atGaps_.floors.empty()) return;
     context_.beginStep(kTileRunSteps - 1, "gaps");
-    if (const std::uint64_t bytes = 2 * atGaps_.bytes(); bytes > runner_.free()) runner_.failTooLittle(bytes);
+    if (const std::uint64_t bytes = GapGroups::bytesToMake(atGaps_); bytes > runner_.free())
+      runner_.failTooLittle(bytes);
     groups_ = GapGroups(std::exchange(atGaps_, {}), steps_.step->values[1], Poll(context_));
     runner_.charge(groups_.bytes());
     std::vector<GroupRange> left{{0, groups_.count()}};

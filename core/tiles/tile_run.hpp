@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "core/tiles/tile_store.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
@@ -26,6 +28,8 @@ struct TileRunOptions {
                                     ///< small
   TileSlice slice{};                ///< part of the environment that runs alone
   std::vector<PartRole> roles{};    ///< one role per Environment::parts (rolesOf()); empty: all are floors
+  /// Receives notes for the user on rank 0, before the first cell runs; may be empty.
+  std::function<void(const Text&)> note{};
 };
 
 /// The figures of one rank.

@@ -20,8 +20,9 @@ namespace footfall::detail {
 inline constexpr std::uint64_t kOfUnionTriangle = 1500;
 /// The bytes of a triangle while layers are chosen, and of a pair that overlaps.
 inline constexpr std::uint64_t kOfLayerTriangle = 400, kOfLayerPair = 48;
-/// The number of overlapping pairs of a triangle, at a guess: only messages about too little memory depend on it.
-inline constexpr std::uint64_t kUsualPairs = 20;
+/// The numbers of overlapping pairs of a triangle, at a guess, as in a city (4.7) and in low levels: only messages
+/// about too little memory depend on them, until the pairs are counted.
+inline constexpr std::uint64_t kUsualPairs = 5, kFewPairs = 3;
 
 /// A box around what rounds to these places.
 Box boxAround(std::span<const Vec3> places);

@@ -1,6 +1,7 @@
 // Floors at gaps in groups that run apart from each other.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <stdexcept>
 
 #include "core/tiles/gap_groups.hpp"
 
@@ -13,6 +14,8 @@ class TestGapGroups : public QObject {
   void nothing();
   void joinedFloors();
   void cornersNearSides();
+  void eachFloorIsListed();
+  void floorsAreCharged();
   void middles();
 };
 
@@ -53,6 +56,30 @@ void TestGapGroups::cornersNearSides() {
   QCOMPARE(groups.list(0, 1).corners.size(), std::size_t{1});
   QVERIFY(groups.list(1, 2).corners.empty());
   QCOMPARE(groups.list(2, 3).corners.size(), std::size_t{1});
+}
+
+// A list that leaves a floor out would be read behind its end.
+void TestGapGroups::eachFloorIsListed() {
+  for (const bool isCorner : {true, false}) {
+    FloorsAtGaps all;
+    all.floors = {1, 2};
+    if (isCorner)
+      all.corners = {{3, 0, 0}};
+    else
+      all.sides = {{0, {0, 0}, {1, 1}}};
+    QVERIFY_EXCEPTION_THROWN(GapGroups(std::move(all), 1, {}), std::logic_error);
+  }
+}
+
+// Each floor takes more than its number in the list.
+void TestGapGroups::floorsAreCharged() {
+  FloorsAtGaps all;
+  for (std::uint32_t floor = 0; floor < 1000; ++floor) all.floors.push_back(floor);
+  QVERIFY(GapGroups::bytesToMake(all) >= 1000 * 60);
+  const std::uint64_t before = GapGroups::bytesToMake(all);
+  const GapGroups groups(std::move(all), 1, {});
+  QVERIFY(groups.bytes() < before);
+  QCOMPARE(groups.list(0, 10).bytes(), std::uint64_t{10 * sizeof(std::uint32_t)});
 }
 
 void TestGapGroups::middles() {

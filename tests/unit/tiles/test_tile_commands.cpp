@@ -131,9 +131,10 @@ void TestTileCommands::theNamedMemoryIsEnough() {
   if (city.isEmpty()) QSKIP("the generator of samples is not there");
   const QString packed = folder.filePath("city.ffenv");
   QCOMPARE(runProgram({"pack", city, "-o", packed, "--quiet"}).exitCode, 0);
+  int runs = 0;
   const auto runWithin = [&](const QString& megabytes) {
     return runProgram(QStringList{"run", packed, "--memory", megabytes + "M", "--quiet", "-o",
-                                  folder.filePath("within" + megabytes)} +
+                                  folder.filePath("run" + QString::number(++runs))} +
                       steps);
   };
   int refused = 0;
