@@ -27,7 +27,7 @@ threaded=(test_parallel test_parallel_blocks test_runner test_live_edits test_ca
   test_strategies test_cutting test_compare test_source_mesh)
 # A suite of each subject, those that are short and compile soon.
 changed=(test_parallel test_exact_numbers test_handmade test_metamorphic test_runner test_live_edits test_compare
-  test_step_filter test_random_cuts test_path_finder)
+  test_random_cuts test_path_finder)
 # It replaces operator new, as the sanitizer does.
 excluded=(test_memory_runs_out)
 if [ "${1:-}" = --change ] && [ "${preset}" = fuzz ] && [ "$#" -eq 1 ]; then
