@@ -109,12 +109,6 @@ TriangleSoup wedge(const std::vector<PlanVector>& c, double bottom, double top) 
   return soup;
 }
 
-void append(TriangleSoup& soup, const TriangleSoup& more) {
-  const auto first = static_cast<std::uint32_t>(soup.vertices.size());
-  soup.vertices.insert(soup.vertices.end(), more.vertices.begin(), more.vertices.end());
-  for (const Triangle& t : more.triangles) soup.triangles.push_back({first + t[0], first + t[1], first + t[2]});
-}
-
 }  // namespace
 
 std::array<double, 2> directionOf(double degrees) {
@@ -161,12 +155,6 @@ TriangleSoup solidSoupOf(const PlacedObstacle& obstacle, double spacing) {
     addFlat(soup, corners, z, false);
   }
   return soup;
-}
-
-TriangleSoup obstaclesSoup(const std::vector<PlacedObstacle>& obstacles) {
-  TriangleSoup all;
-  for (const PlacedObstacle& obstacle : obstacles) append(all, soupOf(obstacle));
-  return all;
 }
 
 }  // namespace footfall::detail

@@ -43,7 +43,4 @@ TriangleSoup soupOf(const PlacedObstacle& obstacle);
 /// suffice.
 TriangleSoup solidSoupOf(const PlacedObstacle& obstacle, double spacing);
 
-/// The surfaces of all obstacles in one soup, for exports.
-TriangleSoup obstaclesSoup(const std::vector<PlacedObstacle>& obstacles);
-
 }  // namespace footfall::detail

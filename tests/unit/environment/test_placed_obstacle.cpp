@@ -184,15 +184,6 @@ class TestPlacedObstacle : public QObject {
       QVERIFY(std::abs(walkableArea(soupOf(low), pipeline) - walkableArea(solidSoupOf(low, 0.4), pipeline)) < 1e-9);
     }
   }
-
-  void allTogether() {
-    const std::vector<PlacedObstacle> both{obstacle(Shape::Box, {0, 0, 0}, {1, 1, 1}),
-                                           obstacle(Shape::Ramp, {5, 0, 0}, {1, 1, 1})};
-    const TriangleSoup soup = obstaclesSoup(both);
-    QCOMPARE(soup.triangles.size(), std::size_t{20});
-    QVERIFY(isClosed(soup));
-    QVERIFY(std::abs(volume(soup) - 1.5) < 1e-12);
-  }
 };
 
 QTEST_GUILESS_MAIN(TestPlacedObstacle)
