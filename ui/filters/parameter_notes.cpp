@@ -28,8 +28,9 @@ void ParameterNotes::measure() {
         measures_ = measures;
         emit measured(measures);
         show();
+        emit settled();
       },
-      [](const std::exception&) {});  // there are no hints without memory
+      [this](const std::exception&) { emit settled(); });  // there are no hints without memory
 }
 
 void ParameterNotes::show() {

@@ -26,6 +26,8 @@ class ParameterNotes : public QObject {
  signals:
   /// Emitted when a level has been measured.
   void measured(const footfall::detail::LevelMeasures& measures);
+  /// Emitted once for each level that is opened: its hint is shown by now, or it has none.
+  void settled();
   /// The button of a hint about the level's size was clicked.
   void scaleChosen(double metresPerUnit);
 

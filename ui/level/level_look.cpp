@@ -33,6 +33,7 @@ LevelLook::LevelLook(const FeatureHost& host, LevelView& view, ViewLayout& layou
   addLayers(host);
   addCutPlane(host.commands);
   addInside(host.commands);
+  frameWhileOpening();
   const auto takeUnits = [this, &units = host.units] {
     layers_->setUnits(units.units());
     cutBar_->setUnits(units.units());
@@ -163,11 +164,6 @@ void LevelLook::addInside(CommandRegistry& commands) {
     }
     layout_.update();
   });
-  // The legend has grown by what the first result has shown.
-  connect(&file_, &LevelFile::opened, this, [this] { fresh_ = true; });
-  connect(&controller_, &RunController::finished, this, [this] {
-    if (std::exchange(fresh_, false)) view_.cameraController().refit();
-  });
   hint_ = new ViewHint(QStringLiteral("hints/inside"), &view_);
   layout_.setHint(hint_);
   connect(inside_, &QAction::toggled, hint_, &QWidget::hide);
@@ -178,6 +174,35 @@ void LevelLook::addInside(CommandRegistry& commands) {
   connect(&layout_.heights(), &HeightSlider::rangeChanged, hint_, [this](const HeightRange& range) {
     if (range != HeightRange()) hint_->hide();
   });
+}
+
+// The first result makes the legend larger, and a hint about filters makes the view lower. Their order is up to two
+// threads, so the level is framed until both are there.
+void LevelLook::frameWhileOpening() {
+  connect(&file_, &LevelFile::opened, this, [this] { isFraming_ = awaitsResult_ = awaitsNotes_ = true; });
+  const auto takeResult = [this] {
+    awaitsResult_ = false;
+    endFramingSoon();
+  };
+  connect(&controller_, &RunController::finished, this, takeResult);
+  connect(&controller_, &RunController::cancelled, this, takeResult);
+  connect(&controller_, &RunController::failed, this, takeResult);
+}
+
+void LevelLook::takeNotes() {
+  awaitsNotes_ = false;
+  endFramingSoon();
+}
+
+// Layouts change the view's size after the present event.
+void LevelLook::endFramingSoon() {
+  if (!isFraming_ || awaitsResult_ || awaitsNotes_) return;
+  const auto end = [this] {
+    if (awaitsResult_ || awaitsNotes_) return;
+    isFraming_ = false;
+    view_.cameraController().endFraming();
+  };
+  QMetaObject::invokeMethod(this, end, Qt::QueuedConnection);
 }
 
 void LevelLook::stepFloor(int direction) {

@@ -27,11 +27,17 @@ class LevelLook : public QObject {
   [[nodiscard]] LayerPanel& layers() { return *layers_; }
   [[nodiscard]] ViewModes& modes() { return modes_; }
   [[nodiscard]] CutBar& cutBar() { return *cutBar_; }
+  /// Called when a level that was opened has its hint about filters, which makes the view lower, or has none.
+  void takeNotes();
+  /// Returns whether a level that was opened is still framed anew: its first result or its hint is not there yet.
+  [[nodiscard]] bool isFraming() const { return isFraming_; }
 
  private:
   void addLayers(const FeatureHost& host);
   void addCutPlane(CommandRegistry& commands);
   void addInside(CommandRegistry& commands);
+  void frameWhileOpening();
+  void endFramingSoon();
   void nameLayer();
   void stepFloor(int direction);
   [[nodiscard]] std::string save() const;
@@ -48,8 +54,10 @@ class LevelLook : public QObject {
   CutBar* cutBar_ = nullptr;
   QAction* inside_ = nullptr;
   ViewHint* hint_ = nullptr;
-  bool fresh_ = false;  ///< the opened file has no result yet
-  QString source_;      ///< the file of the shown level
+  bool isFraming_ = false;
+  bool awaitsResult_ = false;  ///< the first run of the opened file has not ended yet
+  bool awaitsNotes_ = false;   ///< takeNotes() has not been called for the opened file yet
+  QString source_;             ///< the file of the shown level
   /// Settings of a session, until its environment is shown.
   struct Kept {
     std::set<std::uint32_t> hidden;

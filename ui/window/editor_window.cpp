@@ -224,6 +224,7 @@ void EditorWindow::createFeatures() {
   auto* notes = new ParameterNotes(document_, file_, *messages_, this);
   connect(notes, &ParameterNotes::measured, import_,
           [this](const LevelMeasures& measures) { import_->setEvidence(findScale(measures)); });
+  connect(notes, &ParameterNotes::settled, look_, &LevelLook::takeNotes);
   connect(notes, &ParameterNotes::scaleChosen, import_, &ImportPanel::chooseScale);
   packed_ = new PackedFeature(host, *statusBar(), *view_, file_);
   exports_ = new ResultExport({.window = *this,
@@ -397,8 +398,8 @@ void EditorWindow::setRemembering(bool on) {
 }
 
 bool EditorWindow::idle() const {
-  return !file_.busy() && !controller_.busy() && !composer_.busy() && !packed_->busy() && !writer_->busy() &&
-         exports_->waiting().isEmpty() && !turntable_->turntable().isRunning();
+  return !file_.busy() && !look_->isFraming() && !controller_.busy() && !composer_.busy() && !packed_->busy() &&
+         !writer_->busy() && exports_->waiting().isEmpty() && !turntable_->turntable().isRunning();
 }
 
 void EditorWindow::setInteractive(bool on) { camera_->setInteractive(on); }

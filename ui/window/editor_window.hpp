@@ -86,7 +86,7 @@ class EditorWindow : public QMainWindow {
   void setInteractive(bool on);
   /// Sets whether cells are shown in the view, and the dock with the timeline.
   void setCellsShown(const CellsShown& shown) { cells_->setShown(shown); }
-  /// Returns whether no load, run or export is under way or about to begin.
+  /// Returns whether no load, run or export is under way or about to begin, and an opened level has its final camera.
   [[nodiscard]] bool idle() const;
 
   // The parts that the program and the tests use.

@@ -23,8 +23,16 @@ using qglviewer::Vec;
 
 constexpr double kLeastFrame = 0.01;  // share of the scene's radius: nearer, only one surface is visible
 constexpr double kSteepest = 0.9995;  // sine of the largest angle to the ground when turning
+constexpr double kStill = 1e-9;       // share of the coordinates: a camera that moved less has only been rounded
 
 double radians(double degrees) { return degrees * M_PI / 180; }
+
+bool isNear(const Vec3& a, const Vec3& b, double most) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= most; }
+
+bool isAlike(const CameraPose& a, const CameraPose& b, double most) {
+  return isNear(a.position, b.position, most) && isNear(a.pivot, b.pivot, most) && a.orthographic == b.orthographic &&
+         std::ranges::equal(a.orientation, b.orientation, [](double p, double q) { return std::abs(p - q) <= kStill; });
+}
 
 }  // namespace
 
@@ -46,8 +54,7 @@ void CameraController::setScene(std::shared_ptr<const EnvironmentGeometry> scene
   }
   if (!fit) return;
   viewOblique();
-  fitWhenSized_ = !viewer_.isVisible();
-  opened_ = pose();
+  framed_ = pose();
 }
 
 void CameraController::replaceScene(std::shared_ptr<const EnvironmentGeometry> scene) {
@@ -63,7 +70,7 @@ void CameraController::replaceScene(std::shared_ptr<const EnvironmentGeometry> s
 void CameraController::setPose(const CameraPose& pose) {
   endGlide();
   glide_.place(pose);
-  fitWhenSized_ = false;
+  framed_.reset();
   viewer_.update();
 }
 
@@ -217,11 +224,35 @@ void CameraController::viewFromTop() { lookAlong(Vec(0, 0, -1), Vec(0, 1, 0), tr
 
 void CameraController::viewOblique() { lookAlong(Vec(0.5, 0.8, -0.9), Vec(0, 0, 1), false); }
 
-void CameraController::refit() {
-  if (!scene_ || glide_.isGliding() || !opened_ || !(glide_.now() == *opened_)) return;
+// A camera that still glides to where opening has sent it glides on to the new place.
+bool CameraController::frameAgain() {
+  if (!framed_ || !scene_ || forPicture_) return false;
+  const double reach = viewer_.sceneRadius() + std::hypot(origin().x, origin().y, origin().z);
+  if (!isAlike(glide_.target(), *framed_, kStill * reach)) {
+    framed_.reset();
+    return false;
+  }
+  const CameraPose from = glide_.now();
+  const bool glides = glide_.isGliding();
+  glide_.place(*framed_);
   standBefore(scene_->detailExtremes);
-  opened_ = glide_.now();
-  jump();
+  framed_ = glide_.now();
+  if (glides)
+    glide_.glideFrom(from);
+  else
+    jump();
+  return true;
+}
+
+void CameraController::endFraming() {
+  frameAgain();
+  framed_.reset();
+}
+
+void CameraController::setCovered(std::vector<QRect> rects) {
+  if (rects == covered_) return;
+  covered_ = std::move(rects);
+  frameAgain();
 }
 
 void CameraController::fit() {
@@ -229,6 +260,8 @@ void CameraController::fit() {
 }
 
 void CameraController::standBefore(const std::vector<Vec3>& points) {
+  // The view may have a size of which OpenGL does not know yet.
+  camera().setScreenWidthAndHeight(viewer_.width(), viewer_.height());
   fitCamera(camera(), points, viewer_.size(), forPicture_ ? std::vector<QRect>() : covered_);
 }
 
@@ -309,14 +342,10 @@ void CameraController::resized() {
   if (forPicture_) return;
   const Placed now{QRect(viewer_.mapTo(viewer_.window(), QPoint(0, 0)), viewer_.size()), viewer_.window()->size()};
   const std::optional<Placed> before = std::exchange(placed_, now);
-  if (fitWhenSized_ && scene_) {
-    standBefore(scene_->detailExtremes);
-    opened_ = glide_.now();
-    jump();
-  } else if (before && viewer_.isVisible() && before->window == now.window && before->inWindow != now.inWindow) {
+  if (frameAgain()) return;
+  if (before && viewer_.isVisible() && before->window == now.window && before->inWindow != now.inWindow) {
     keepPicture(*before, now);
   }
-  fitWhenSized_ = false;
 }
 
 // A dock was shown or hidden. Every place of the screen keeps its content and scale, at the depth of the surface under

@@ -33,8 +33,8 @@ class CameraController : public QObject {
 
   CameraController(QGLViewer& viewer, Seen seen);
 
-  /// Sets another environment, or none. The camera moves only with `fit`: as viewOblique(), and again when the view
-  /// gets its size.
+  /// Sets another environment, or none. The camera moves only with `fit`: as viewOblique(). Each change of the view's
+  /// size and of what covers it then fits the environment again, until endFraming() or until somebody moves the camera.
   void setScene(std::shared_ptr<const EnvironmentGeometry> scene, bool fit);
   /// Sets an edit of the environment, with the same centre; the camera stays.
   void replaceScene(std::shared_ptr<const EnvironmentGeometry> scene);
@@ -58,9 +58,8 @@ class CameraController : public QObject {
   void viewFrom(ViewSide side);
   /// Brings everything into view without turning the camera.
   void fit();
-  /// Fits the scene again, as when the environment was opened, if the camera has not moved since; other widgets may
-  /// cover the view by now.
-  void refit();
+  /// Called when an environment that was opened is shown as a whole: from here on, the picture stays where it is.
+  void endFraming();
   void setOrthographic(bool on);
   [[nodiscard]] bool orthographic() const;
 
@@ -89,7 +88,7 @@ class CameraController : public QObject {
   void frameSelection();
 
   /// Sets the rectangles that cover the view; fitted objects lie beside them.
-  void setCovered(std::vector<QRect> rects) { covered_ = std::move(rects); }
+  void setCovered(std::vector<QRect> rects);
   /// Sets whether the viewer has the size of a picture: nothing covers it then, jumps do not glide, and resized() has
   /// no effect.
   void setForPicture(bool on);
@@ -116,6 +115,8 @@ class CameraController : public QObject {
   void lookAlong(const qglviewer::Vec& direction, const qglviewer::Vec& up, bool orthographic);
   void fitTo(const std::vector<Vec3>& points);
   void frameInScene(const qglviewer::Vec& lower, const qglviewer::Vec& upper);
+  /// Fits an environment that is being opened to the view as it is now. Returns false when the framing is over.
+  bool frameAgain();
   /// The surface under the mouse, where the view lies at `view` (viewer coordinates).
   [[nodiscard]] std::optional<qglviewer::Vec> pointedAt(const QRect& view) const;
   void keepPicture(const Placed& before, const Placed& now);
@@ -126,8 +127,7 @@ class CameraController : public QObject {
   std::vector<std::pair<QString, SceneBox>> selections_;  ///< by owner, the latest last
   std::vector<QRect> covered_;
   std::optional<Placed> placed_;      ///< place of the view on the screen
-  std::optional<CameraPose> opened_;  ///< pose that opening an environment has set
-  bool fitWhenSized_ = false;
+  std::optional<CameraPose> framed_;  ///< pose that opening an environment has set; null once its framing is over
   bool forPicture_ = false;
   CameraGlide glide_;
 };

@@ -169,6 +169,7 @@ void Legend::describe(const ViewContent& content) {
     gaps = gaps || !mesh->gaps.empty();
     drops = drops || !mesh->drops.empty();
   }
+  if (content.walkable.empty()) forgetCrowding();  // another level
   layers_ = layers;
   anyWalkable_ = !content.walkable.empty();
   obstacleEdges_->setVisible(edges);
@@ -192,6 +193,7 @@ void Legend::setUnits(const LevelUnits& units) {
 }
 
 void Legend::showMode(ViewMode mode, const FieldScale& scale, bool ready) {
+  if (mode != shownMode_ || ready != modeReady_) forgetCrowding();
   shownMode_ = mode;
   shownScale_ = scale;
   modeReady_ = ready;

@@ -15,7 +15,8 @@ namespace footfall::ui {
 
 /// A title, which folds the body, and the body. It can be dragged by all parts without another function; a double click
 /// returns it to its corner. The frame is folded where it would take much of the view, and stays so when it shrinks,
-/// until the view's size changes or the user unfolds it. The settings keep both under `setting`.
+/// until the view's size changes, another kind of content comes or the user unfolds it. The settings keep both under
+/// `setting`.
 class OverlayFrame : public QFrame {
   Q_OBJECT
 
@@ -35,6 +36,8 @@ class OverlayFrame : public QFrame {
  protected:
   /// The layout below the title, which subclasses fill.
   [[nodiscard]] QVBoxLayout& body() { return *bodyLayout_; }
+  /// Forgets that an earlier content took much of the view.
+  void forgetCrowding() { crowded_ = false; }
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;

@@ -59,8 +59,10 @@ void ViewLayout::place(const QSize& view) const {
   heights_->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   if (hint_) {
     constexpr int kNarrow = 240;  // narrower lines would be broken too often
+    // At the upper edge, where little of a level lies; the gizmo may be wider than the heights.
     int end = shown(heights_) ? heights_->x() - kGap : right;
-    int y = shown(heights_) ? heights_->y() : top;
+    int y = shown(heights_) ? kMargin : top;
+    if (shown(gizmo_) && y < gizmo_->geometry().bottom()) end = std::min(end, gizmo_->x() - kGap);
     if (shown(heights_) && end - kMargin < kNarrow) {
       end = view.width() - kMargin;
       y = heights_->geometry().bottom() + kGap;
@@ -81,8 +83,8 @@ void ViewLayout::place(const QSize& view) const {
 
 std::vector<QRect> ViewLayout::covered() const {
   std::vector<QRect> rects;
-  for (const QWidget* widget :
-       std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_, hint_.data()}) {
+  // The hint is shown for one level only, and a level is framed alike each time it is opened.
+  for (const QWidget* widget : std::initializer_list<const QWidget*>{legend_, gizmo_, heights_, cells_, cutBar_}) {
     if (shown(widget)) rects.push_back(widget->geometry());
   }
   return rects;
