@@ -15,9 +15,21 @@ namespace {
 // The pattern of a place in a text file; the text behind it uses the words of that file.
 constexpr std::string_view kFilePlace = "%1:%2:%3: %4";
 
-// Files and the command line use the names of filters, with or without values; the editor shows their labels.
+// A number as the core writes it: digits with a point among them.
+bool isDecimal(std::string_view text) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  const std::size_t point = text.find('.');
+  if (point == 0 || point == std::string_view::npos || point + 1 == text.size()) return false;
+  text.remove_prefix(text.find_first_not_of("0123456789") == point ? point + 1 : 0);
+  return text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+// Files and the command line use the names of filters, with or without values, and decimal points; the editor shows
+// their labels, and numbers in the user's language.
 std::string argumentText(const Text& text, bool hasLabels) {
-  return hasLabels ? strategyText(text.pattern()).toStdString() : std::string(text.pattern());
+  if (!hasLabels) return text.pattern();
+  if (!isDecimal(text.pattern())) return strategyText(text.pattern()).toStdString();
+  return QString::fromStdString(text.pattern()).replace(QLatin1Char('.'), numberLocale().decimalPoint()).toStdString();
 }
 
 std::string translated(const Text& text, bool hasLabels = true) {

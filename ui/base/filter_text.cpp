@@ -5,6 +5,7 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/filter.hpp"
+#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
@@ -83,9 +84,18 @@ QString filterName(std::string_view name) {
 }
 
 QString strategyText(std::string_view line) {
-  const std::size_t end = std::min(line.find(' '), line.size());
-  return filterName(line.substr(0, end)) +
-         QString::fromUtf8(line.data() + end, static_cast<qsizetype>(line.size() - end));
+  const QString whole = QString::fromUtf8(line.data(), static_cast<qsizetype>(line.size()));
+  const FilterDescriptor* filter = findFilter(line.substr(0, line.find(' ')));
+  if (!filter) return whole;
+  // Words ("false") have no meaning without the label of their value.
+  QStringList numbers;
+  for (const QString& value : whole.split(QLatin1Char(' ')).mid(1)) {
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    if (isNumber) numbers << numberText(number);
+  }
+  const QString label = filterText(filter->label);
+  return numbers.isEmpty() ? label : label + QLatin1Char(' ') + numbers.join(QStringLiteral(" · "));
 }
 
 QString filterHelp(const FilterDescriptor& filter, int emphasised) {

@@ -18,8 +18,8 @@ QString filterText(std::string_view text);
 /// The label of the filter with this name; the name itself where there is no such filter.
 QString filterName(std::string_view name);
 
-/// A pipeline line of a strategy with the label of its filter: "HeightAwareStrategy 50 2 false" becomes "Height-aware
-/// 50 2 false".
+/// A pipeline line with the label of its filter and its numbers: "HeightAwareStrategy 50 2 false" becomes "Height-aware
+/// strategy 50 · 2". Other lines stay as they are.
 QString strategyText(std::string_view line);
 
 /// The whole descriptor as rich text for the help panel; the parameter at `emphasised` is highlighted (-1: none).

@@ -39,6 +39,10 @@ class TestGerman : public QObject {
     QCOMPARE(coreText(countedText(26815, FOOTFALL_TEXT("1 vertex"), FOOTFALL_TEXT("%1 vertices"))),
              QString("26.815 Ecken"));
     QCOMPARE(coreText(Text(Pattern{"%1: %2"}, 26815, "x")), QString("26815: x"));
+    // So have decimals their comma; a version is no number.
+    QCOMPARE(coreText(Text(Pattern{"%1, %2, %3, %4"}, "0.504", "-1.5", "1.2.3", ".5")),
+             QString("0,504, -1,5, 1.2.3, .5"));
+    QCOMPARE(coreText(Text(Pattern{"%1:%2:%3: %4"}, "a.obj", 1, 2, "1.5")), QString("a.obj:1:2: 1.5"));
     QCOMPARE(coreText(std::runtime_error("as it is")), QString("as it is"));
     QCOMPARE(coreText(InputError(FOOTFALL_TEXT("no such file"))), QString("diese Datei gibt es nicht"));
   }
@@ -46,7 +50,7 @@ class TestGerman : public QObject {
   void notesOfFilters() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()),
                     "AutoStrategy\nVerticalClearanceFilter 2\nCollapse\nAreaFilter 5\nLayerSubdivisionFilter\n"));
-    QVERIFY2(note(0).startsWith("1 Zelle; Gitterstrategie 1 1: Eine Zelle, weil "), qPrintable(note(0)));
+    QVERIFY2(note(0).startsWith("1 Zelle; Gitterstrategie 1 · 1: Eine Zelle, weil "), qPrintable(note(0)));
     QCOMPARE(note(3), QString("1 von 3 Gebieten entfernt"));
     QCOMPARE(note(4), QString("1 Ebene, 0 Verbindungen"));
   }

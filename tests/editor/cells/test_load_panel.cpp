@@ -197,7 +197,7 @@ class TestLoadPanel : public QObject {
 
   void theReasonOfAStrategyIsShownAndIsNoMarkup() {
     model_->setBlocks({BlockBuilder(2, "GridStrategy 2 1").reason("2 threads <b>& more</b>").block()});
-    QVERIFY(panel_->strategyText().contains("Grid strategy 2 1"));
+    QVERIFY(panel_->strategyText().contains("Grid strategy 2 · 1"));
     QVERIFY(panel_->strategyText().contains("2 threads &lt;b&gt;&amp; more"));
   }
 
