@@ -7,6 +7,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <QtTest>
+#include <memory>
 
 #include "tests/editor/window_parts.hpp"
 #include "ui/base/guarded_application.hpp"
@@ -85,6 +86,29 @@ inline bool openZUp(EditorWindow& window, const QString& path, const char* pipel
   window.openWith(path, parsePipeline(pipeline, "test"), import);
   return waitUntilIdle(window) && window.controller().finishedRun() != nullptr;
 }
+
+/// A suite whose tests have a folder and a window each; the window remembers nothing.
+class EditorSuite : public QObject {
+ protected:
+  bool openWindow(const QSize& size = {1280, 800}) {
+    folder_ = std::make_unique<QTemporaryDir>();
+    window_ = std::make_unique<EditorWindow>();
+    window_->setRemembering(false);
+    window_->resize(size);
+    return showWindow(*window_);
+  }
+  /// A window with a Z-up level and its result.
+  bool openLevel(const QByteArray& obj, const char* pipeline, const QSize& size = {1280, 800}) {
+    return openWindow(size) && openZUp(*window_, writeFile(*folder_, "level.obj", obj), pipeline);
+  }
+  void closeWindow() {
+    window_.reset();
+    folder_.reset();
+  }
+
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::unique_ptr<EditorWindow> window_;
+};
 
 /// Opens a row of the filter list and returns the field of one of its values.
 inline NumberField* openField(EditorWindow& window, std::size_t row, std::size_t value = 0) {

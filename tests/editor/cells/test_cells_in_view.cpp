@@ -63,17 +63,12 @@ double shareOf(const QImage& image, const QColor& colour) {
 
 }  // namespace
 
-class TestCellsInView : public QObject {
+class TestCellsInView : public EditorSuite {
   Q_OBJECT
 
  private slots:
-  void init() {
-    window_ = std::make_unique<EditorWindow>();
-    window_->setRemembering(false);
-    window_->resize(1100, 800);
-    QVERIFY(showWindow(*window_));
-  }
-  void cleanup() { window_.reset(); }
+  void init() { QVERIFY(openWindow({1100, 800})); }
+  void cleanup() { closeWindow(); }
 
   void floorsAreCutAtTheBorders() {
     const auto geometry = makeCellGeometry(floorEnvironment(), {}, quarters(), [] {});
@@ -270,7 +265,7 @@ class TestCellsInView : public QObject {
 
   void runningInParallelIsOneEdit() {
     QVERIFY(
-        openZUp(*window_, writeFile(folder_, "floor.obj", floorObj()),
+        openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()),
                 "DuplicationFilter 0\nDegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0\n"));
     window_->setCellsShown({false, true, CellColouring::Thread});
     QVERIFY(partOf<LoadPanel>(*window_).showsEmptyState());
@@ -319,7 +314,7 @@ class TestCellsInView : public QObject {
   }
 
   void aStrategyWithoutItsEndIsPreviewedByItself() {
-    QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);  // refused, until there is a Collapse
     QTRY_VERIFY(model().previewing());
@@ -374,7 +369,7 @@ class TestCellsInView : public QObject {
   }
 
   void theWindowAnswersWhileAPreviewIsMade() {
-    QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(174)), "SlopeFilter 45\n"));
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(174)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
     window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);
     qint64 longest = 0;
@@ -406,7 +401,7 @@ class TestCellsInView : public QObject {
       if (state(2) == StepState::Running) ranTogether = ranTogether && state(0) == StepState::Done;
       if (state(3) == StepState::Running) ranTogether = ranTogether && state(2) != StepState::Running;
     });
-    QVERIFY(openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(174)),
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(174)),
                     "GridStrategy 8 8\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n"));
     QVERIFY(!told.empty());
     QVERIFY(told.back() == std::pair(std::size_t{64}, true));
@@ -440,7 +435,7 @@ class TestCellsInView : public QObject {
   void whatIsShownIsPartOfTheSession() {
     QVERIFY(openGrid());
     window_->setCellsShown({true, true, CellColouring::Time});
-    const QString path = folder_.filePath("cells.footfall");
+    const QString path = folder_->filePath("cells.footfall");
     window_->saveSession(path);
     QVERIFY(waitUntilIdle(*window_));
     EditorWindow second;
@@ -455,7 +450,7 @@ class TestCellsInView : public QObject {
     const QByteArray wrong = readFile(path).replace("\"time\"", "\"mood\"");
     bool refused = false;
     try {
-      readSession(writeFile(folder_, "wrong.footfall", wrong).toStdString());
+      readSession(writeFile(*folder_, "wrong.footfall", wrong).toStdString());
     } catch (const InputError& error) {
       refused = std::string(error.what()).find("thread, time, triangles or cost") != std::string::npos;
     }
@@ -465,7 +460,7 @@ class TestCellsInView : public QObject {
   void anotherEnvironmentHasNoOldCells() {
     QVERIFY(openGrid());
     window_->setCellsShown({true, true, CellColouring::Thread});
-    window_->openWith(writeFile(folder_, "floor.obj", floorObj()), parsePipeline("SlopeFilter 45\n", "test"), {});
+    window_->openWith(writeFile(*folder_, "floor.obj", floorObj()), parsePipeline("SlopeFilter 45\n", "test"), {});
     QVERIFY(QTest::qWaitFor([&] { return window_->controller().upToDate(); }, 20000));
     QTRY_VERIFY(model().empty());
     const LoadPanel& load = partOf<LoadPanel>(*window_);
@@ -492,10 +487,7 @@ class TestCellsInView : public QObject {
 
  private:
   [[nodiscard]] CellModel& model() const { return partOf<CellsFeature>(*window_).model(); }
-  bool openGrid() { return openZUp(*window_, writeFile(folder_, "waves.obj", wavesObj(20)), kGrid); }
-
-  QTemporaryDir folder_;
-  std::unique_ptr<EditorWindow> window_;
+  bool openGrid() { return openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(20)), kGrid); }
 };
 
 FOOTFALL_EDITOR_SUITE(TestCellsInView)

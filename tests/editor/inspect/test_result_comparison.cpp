@@ -24,23 +24,15 @@ constexpr const char* kPipeline = "SlopeFilter 45\nVerticalClearanceFilter 2\n";
 
 }  // namespace
 
-class TestCompare : public QObject {
+class TestCompare : public EditorSuite {
   Q_OBJECT
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<EditorWindow>();
-    window_->setRemembering(false);
-    window_->resize(1280, 800);
-    QVERIFY(showWindow(*window_));
-    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+    QVERIFY(openLevel(tableObj(), kPipeline));
     feature_ = window_->findChild<CompareFeature*>();
     QVERIFY(feature_);
   }
-  void cleanup() {
-    window_.reset();
-    folder_.reset();
-  }
+  void cleanup() { closeWindow(); }
 
   void theLastEdit() {
     QAction* command = window_->commands().find("view.compareEdit");
@@ -174,8 +166,6 @@ class TestCompare : public QObject {
     return QTest::qWaitFor([&] { return !feature_->watch().busy() && feature_->watch().difference(); }, 20000);
   }
 
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<EditorWindow> window_;
   CompareFeature* feature_ = nullptr;
 };
 

@@ -1,5 +1,7 @@
 // Two pipelines side by side: counts, linked cameras, which one stays.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "tests/editor/editor_driver.hpp"
@@ -18,24 +20,16 @@ double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y
 
 }  // namespace
 
-class TestSideBySide : public QObject {
+class TestSideBySide : public EditorSuite {
   Q_OBJECT
 
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<EditorWindow>();
-    window_->setRemembering(false);
-    window_->resize(1440, 900);
-    QVERIFY(showWindow(*window_));
-    QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
+    QVERIFY(openLevel(tableObj(), kPipeline, {1440, 900}));
     side_ = window_->findChild<SideBySide*>();
     QVERIFY(side_);
   }
-  void cleanup() {
-    window_.reset();
-    folder_.reset();
-  }
+  void cleanup() { closeWindow(); }
 
   void bothAreCounted() {
     openPair();
@@ -84,6 +78,35 @@ class TestSideBySide : public QObject {
     QTest::qWait(50);
     QVERIFY(distance(a.pose().position, pose.position) < 1e-9);
     QVERIFY(!window_->commands().find("view.sideBySide")->isChecked());
+  }
+
+  // What was in sight is in sight in each half, and comes back as large as it was.
+  void aWideLevelFitsIntoTheHalves_data() {
+    QTest::addColumn<bool>("fromTop");
+    QTest::newRow("oblique") << false;
+    QTest::newRow("from the top") << true;
+  }
+  void aWideLevelFitsIntoTheHalves() {
+    QFETCH(const bool, fromTop);
+    const QByteArray street = "v -40 -4 0\nv 40 -4 0\nv 40 4 0\nv -40 4 0\nf 1 2 3\nf 1 3 4\n";
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "street.obj", street), kPipeline));
+    CameraController& camera = window_->view().cameraController();
+    if (fromTop) camera.viewFromTop();
+    const auto isInSight = [&](LevelView& view) {
+      return std::ranges::all_of(std::array{-40.0, 40.0}, [&](double x) {
+        return std::ranges::all_of(std::array{-4.0, 4.0}, [&](double y) {
+          const auto at = view.project({x, y, 0});
+          return at && QRectF(view.rect()).contains(*at);
+        });
+      });
+    };
+    QVERIFY(isInSight(window_->view()));
+    const CameraPose before = camera.pose();
+    openPair();
+    QTRY_VERIFY(isInSight(window_->view()));
+    QTRY_VERIFY(isInSight(*side_->otherView()));
+    QTest::mouseClick(side_->bar().keepAButton(), Qt::LeftButton);
+    QTRY_VERIFY(distance(camera.pose().position, before.position) < 1e-6);
   }
 
   void oneOfThemStays() {
@@ -176,8 +199,6 @@ class TestSideBySide : public QObject {
     QVERIFY(waitUntilIdle(*window_));
   }
 
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<EditorWindow> window_;
   SideBySide* side_ = nullptr;
 };
 

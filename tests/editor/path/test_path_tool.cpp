@@ -28,23 +28,15 @@ QByteArray roomObj() {
 
 }  // namespace
 
-class TestPathTool : public QObject {
+class TestPathTool : public EditorSuite {
   Q_OBJECT
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<EditorWindow>();
-    window_->setRemembering(false);
-    window_->resize(1280, 800);
-    QVERIFY(showWindow(*window_));
-    QVERIFY(openZUp(*window_, writeFile(*folder_, "room.obj", roomObj()), kPipeline));
+    QVERIFY(openLevel(roomObj(), kPipeline));
     feature_ = window_->findChild<PathFeature*>();
     QVERIFY(feature_);
   }
-  void cleanup() {
-    window_.reset();
-    folder_.reset();
-  }
+  void cleanup() { closeWindow(); }
 
   void twoClicksShowThePath() {
     startTool();
@@ -333,8 +325,6 @@ class TestPathTool : public QObject {
   }
   /// Pictures are saved where a folder for them is given.
 
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<EditorWindow> window_;
   PathFeature* feature_ = nullptr;
 };
 

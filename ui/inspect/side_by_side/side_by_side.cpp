@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/base/vector.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/filters/pipeline_presets.hpp"
@@ -18,6 +20,14 @@ namespace footfall::ui {
 namespace {
 
 using Json = nlohmann::json;
+
+bool allInSight(const LevelView& view) {
+  const auto geometry = view.environmentGeometry();
+  return geometry && std::ranges::all_of(geometry->extremes, [&](const Vec3& p) {
+           const auto at = view.project(p + geometry->centre);
+           return at && QRectF(view.rect()).contains(*at);
+         });
+}
 
 }  // namespace
 
@@ -51,20 +61,22 @@ class ViewLetter : public QLabel {
 
 /// What there is while both are shown.
 struct SideBySide::Pair {
-  explicit Pair(LevelView& first) : view(new LevelView), link(first, *view, nullptr), letter("A", first) {
+  explicit Pair(LevelView& first)
+      : view(new LevelView), link(std::make_unique<LinkedView>(first, *view, nullptr)), letter("A", first) {
     view->setObjectName(QStringLiteral("otherView"));
     view->setAccessibleName(SideBySide::tr("View of pipeline B"));
     new ViewLetter(QStringLiteral("B"), *view);
   }
   ~Pair() {
     controller.disconnect();
+    link.reset();  // the first view may get another size, and move its camera, while the second one goes
     delete view;
   }
   Pair(const Pair&) = delete;
   Pair& operator=(const Pair&) = delete;
 
   LevelView* view;  ///< in the splitter, until the pair goes
-  LinkedView link;
+  std::unique_ptr<LinkedView> link;
   ViewLetter letter;
   RunController controller;
 };
@@ -138,6 +150,8 @@ void SideBySide::open(const Pipeline& pipeline, const QString& name) {
     return;
   }
   const CameraPose pose = view_.cameraController().pose();
+  const double wide = isFromSession_ ? 0 : shownWidth();  // a session's camera stands for the half of the view
+  const bool isWhole = allInSight(view_);
   pair_ = std::make_unique<Pair>(view_);
   views_.addWidget(pair_->view);
   views_.setStretchFactor(0, 1);
@@ -155,18 +169,36 @@ void SideBySide::open(const Pipeline& pipeline, const QString& name) {
   action_->setChecked(true);
   takeLevel();
   countA();
-  // In the half of the view that is left, the middle stays the middle.
-  QTimer::singleShot(0, &pair_->link, [this, pose] {
-    view_.cameraController().setPose(pose);
-    emit view_.cameraController().moved();
+  // In the half of the view that is left, the middle stays the middle, and what was between the sides stays there; a
+  // level that was in sight as a whole is fitted.
+  QTimer::singleShot(0, pair_->link.get(), [this, pose, wide, isWhole] {
+    CameraController& camera = view_.cameraController();
+    camera.setPose(pose);
+    emit camera.moved();
+    if (wide == 0) return;
+    if (isWhole)
+      camera.fit();
+    else
+      camera.zoomBy(std::min(1.0, shownWidth() / wide));
+    camera.endGlide();
+    before_ = pose;
+    connect(&camera, &CameraController::moved, pair_->link.get(), [this] { before_.reset(); });
   });
+}
+
+// How much a view of its shape shows from side to side, where the camera stays. libQGLViewer derives the scale of a
+// parallel projection from the shorter side.
+double SideBySide::shownWidth() const {
+  const double shape = view_.width() / std::max(1.0, static_cast<double>(view_.height()));
+  return view_.cameraController().orthographic() ? std::max(1.0, shape) : shape;
 }
 
 void SideBySide::close() {
   if (!isOpen()) return;
   countA_.stop();
   countB_.stop();
-  const CameraPose pose = view_.cameraController().pose();
+  const CameraPose pose = before_.value_or(view_.cameraController().pose());
+  before_.reset();
   pair_.reset();
   a_.reset();
   b_.reset();

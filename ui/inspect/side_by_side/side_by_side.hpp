@@ -55,6 +55,7 @@ class SideBySide : public QObject {
   void countA();
   void countB();
   void showFigures();
+  [[nodiscard]] double shownWidth() const;
   [[nodiscard]] std::string save() const;
   void load(const std::string& text);
 
@@ -71,8 +72,9 @@ class SideBySide : public QObject {
   SideBySideBar* bar_;
   Pipeline other_;
   QString name_;
-  double metresPerUnit_ = 1;    ///< the scale that `other_` is for
-  bool isFromSession_ = false;  ///< B came with the file that is being opened
+  double metresPerUnit_ = 1;          ///< the scale that `other_` is for
+  bool isFromSession_ = false;        ///< B came with the file that is being opened
+  std::optional<CameraPose> before_;  ///< the camera before the other view came; null once somebody has moved it
   std::optional<AgentFigures> a_, b_;
   std::unique_ptr<Pair> pair_;
   LatestWork countA_, countB_;  // last: their threads end before the rest goes
