@@ -14,6 +14,12 @@
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
+
+// The names of the walker's cameras in sessions.
+NLOHMANN_JSON_SERIALIZE_ENUM(WalkCamera, {{WalkCamera::Free, "stays"},
+                                          {WalkCamera::Follows, "follows"},
+                                          {WalkCamera::Eyes, "eyes"}})
+
 namespace {
 
 using Json = nlohmann::json;
@@ -97,6 +103,7 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
   connect(&model_, &PathModel::placesChanged, &host.sections, &SessionSections::changed);
   connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
   connect(panel_, &PathPanel::speedEdited, &host.sections, &SessionSections::changed);
+  connect(walk_->bar(), &WalkBar::chosen, &host.sections, &SessionSections::changed);
   connect(panel_, &PathPanel::speedEdited, this, [this] { walk_->setSpeed(panel_->speed()); });
   connect(&tool_, &PathTool::playRequested, &walk_->walker(),
           [this] { walk_->walker().setPlaying(!walk_->walker().isPlaying()); });
@@ -159,6 +166,8 @@ std::string PathFeature::save() const {
   json["start"] = toJson(model_.start());
   json["target"] = toJson(model_.target());
   json["speed"] = panel_->speed();
+  json["pace"] = walk_->walker().pace();
+  json["camera"] = walk_->walkerView().camera();
   return json.dump();
 }
 
@@ -174,6 +183,7 @@ void PathFeature::load(const std::string& text) {
   model_.setPlaces(toPlace(json.value("start", Json())), toPlace(json.value("target", Json())));
   panel_->setSpeed(speed);
   walk_->setSpeed(speed);
+  walk_->bar()->choose(json.value("pace", 1.0), json.value("camera", WalkCamera::Free));
 }
 
 }  // namespace footfall::ui

@@ -31,23 +31,15 @@ double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y
 
 }  // namespace
 
-class TestWalker : public QObject {
+class TestWalker : public EditorSuite {
   Q_OBJECT
  private slots:
   void init() {
-    folder_ = std::make_unique<QTemporaryDir>();
-    window_ = std::make_unique<EditorWindow>();
-    window_->setRemembering(false);
-    window_->resize(1280, 800);
-    QVERIFY(showWindow(*window_));
-    QVERIFY(openZUp(*window_, writeFile(*folder_, "level.obj", levelObj()), kPipeline));
+    QVERIFY(openLevel(levelObj(), kPipeline));
     feature_ = window_->findChild<PathFeature*>();
     QVERIFY(feature_);
   }
-  void cleanup() {
-    window_.reset();
-    folder_.reset();
-  }
+  void cleanup() { closeWindow(); }
 
   void timesFollowSpeedAndGravity() {
     PathResult path;
@@ -105,6 +97,21 @@ class TestWalker : public QObject {
     QVERIFY(std::fabs(walker().time() - all / 2) < 1e-6);
     feature_->model().setPlaces(std::nullopt, std::nullopt);
     QVERIFY(!bar().isEnabled() && walker().track().isEmpty());
+  }
+
+  void sessionsKeepPaceAndCamera() {
+    showPath({-2, 0, 0}, {6, 0, 0.25});
+    bar().paceBox()->setCurrentIndex(0);
+    bar().cameraBox()->setCurrentIndex(1);
+    const QString session = folder_->filePath("walk.footfall");
+    window_->saveSession(session);
+    QVERIFY(waitUntilIdle(*window_));
+    bar().paceBox()->setCurrentIndex(3);
+    bar().cameraBox()->setCurrentIndex(0);
+    window_->open(session);
+    QTRY_COMPARE(bar().paceBox()->currentIndex(), 0);
+    QCOMPARE(walker().pace(), 0.25);
+    QCOMPARE(feature_->walk().walkerView().camera(), WalkCamera::Follows);
   }
 
   void itFallsDownDrops() {
@@ -252,8 +259,6 @@ class TestWalker : public QObject {
         kWaitMs));
   }
 
-  std::unique_ptr<QTemporaryDir> folder_;
-  std::unique_ptr<EditorWindow> window_;
   PathFeature* feature_ = nullptr;
 };
 

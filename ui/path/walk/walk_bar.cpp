@@ -70,8 +70,17 @@ WalkBar::WalkBar(Walker& walker, WalkerView& view, QWidget* parent) : QWidget(pa
   connect(pace_, &QComboBox::currentIndexChanged, this, [this] { walker_.setPace(pace_->currentData().toDouble()); });
   connect(camera_, &QComboBox::currentIndexChanged, this,
           [this] { view_.setCamera(static_cast<WalkCamera>(camera_->currentData().toInt())); });
+  for (QComboBox* box : {pace_, camera_}) connect(box, &QComboBox::currentIndexChanged, this, &WalkBar::chosen);
   connect(&walker_, &Walker::changed, this, &WalkBar::showTime);
   showTime();
+}
+
+void WalkBar::choose(double pace, WalkCamera camera) {
+  const auto take = [](QComboBox& box, const QVariant& data) {
+    if (const int index = box.findData(data); index >= 0) box.setCurrentIndex(index);
+  };
+  take(*pace_, pace);
+  take(*camera_, static_cast<int>(camera));
 }
 
 void WalkBar::showTime() {

@@ -26,6 +26,13 @@ class WalkBar : public QWidget {
   [[nodiscard]] QComboBox* cameraBox() const { return camera_; }
   [[nodiscard]] QString timeText() const { return time_->text(); }
 
+  /// Makes the choices of a session; a pace or a camera that is not offered changes nothing.
+  void choose(double pace, WalkCamera camera);
+
+ signals:
+  /// The pace or the camera is another.
+  void chosen();
+
  private:
   void showTime();
 
