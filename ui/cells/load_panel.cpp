@@ -2,6 +2,7 @@
 #include "ui/cells/load_panel.hpp"
 
 #include <QHBoxLayout>
+#include <QResizeEvent>
 #include <QSplitter>
 #include <QTabBar>
 #include <QVBoxLayout>
@@ -20,6 +21,7 @@ namespace {
 
 constexpr int kPlotWidth = 324;
 constexpr int kTimelineWidth = 240;  // a lane must be visible beside the names of threads
+constexpr int kTextLines = 2;        // more lines of a text would take the room of the plots
 
 QString swatch(const QColor& colour) {
   return QStringLiteral("<span style='color:%1'>&#9632;</span>&nbsp;").arg(colour.name());
@@ -35,6 +37,14 @@ QString tableOf(std::span<const PhaseTime> phases, std::size_t columns = 2) {
     text += QStringLiteral("</tr>");
   }
   return text + QStringLiteral("</table>");
+}
+
+// Shows a text, or its brief form where the text needs too many lines; the tool tip has the whole text then.
+void showFitting(QLabel& label, const QString& text, const QString& brief) {
+  label.setText(text);
+  const bool fits = label.heightForWidth(label.width()) <= kTextLines * label.fontMetrics().lineSpacing() + 2;
+  label.setToolTip(fits || text == brief ? QString() : text);
+  if (!fits) label.setText(brief);
 }
 
 }  // namespace
@@ -127,6 +137,7 @@ QWidget* LoadPanel::makeContentPage() {
   strategy_->setTextFormat(Qt::RichText);
   strategy_->setWordWrap(true);
   strategy_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  strategy_->installEventFilter(this);
   block_ = new QComboBox(page);
   block_->setAccessibleName(tr("Parallel block"));
   block_->setToolTip(tr("Which parallel block is shown"));
@@ -149,6 +160,7 @@ QWidget* LoadPanel::makeContentPage() {
   filters_->setTextFormat(Qt::RichText);
   filters_->setWordWrap(true);
   filters_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  filters_->installEventFilter(this);
   auto* left = new QWidget(page);
   auto* leftLayout = new QVBoxLayout(left);
   leftLayout->setContentsMargins(0, 0, 0, 0);
@@ -255,9 +267,9 @@ void LoadPanel::refresh() {
     text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("%n from the cache", nullptr, cached) + QStringLiteral("</b>");
   if (block->origin == CellBlock::Origin::Measured)
     text += QStringLiteral("&nbsp; · &nbsp;<b>") + tr("measured: the median run") + QStringLiteral("</b>");
+  head_ = {text, text};
   if (!block->report.reason.empty())
-    text += QStringLiteral("&nbsp; · &nbsp;") + coreText(block->report.reason).toHtmlEscaped();
-  strategy_->setText(text);
+    head_.whole += QStringLiteral("&nbsp; · &nbsp;") + coreText(block->report.reason).toHtmlEscaped();
 
   back_->setVisible(model_.previewing());
   const CellBlocks& blocks = model_.blocks();
@@ -274,6 +286,21 @@ void LoadPanel::refresh() {
   histogramText_->setText(block->begun() ? histogram_->summary().toHtmlEscaped()
                                          : tr("No cell has run yet.").toHtmlEscaped());
   showFilters();
+  fitTexts();
+}
+
+void LoadPanel::fitTexts() {
+  if (!model_.shownBlock()) return;
+  showFitting(*strategy_, head_.whole, head_.brief);
+  showFitting(*filters_, key_.whole, key_.brief);
+}
+
+bool LoadPanel::eventFilter(QObject* watched, QEvent* event) {
+  // A layout that resizes its parts takes no notice of what changes meanwhile.
+  const auto* resize = event->type() == QEvent::Resize ? static_cast<QResizeEvent*>(event) : nullptr;
+  if (resize && resize->size().width() != resize->oldSize().width())
+    QMetaObject::invokeMethod(this, &LoadPanel::fitTexts, Qt::QueuedConnection);
+  return QWidget::eventFilter(watched, event);
 }
 
 // Only finished runs have these figures: waiting times are not known during a run.
@@ -335,13 +362,14 @@ void LoadPanel::showFilters() {
   for (std::size_t i = 0; i < names.size(); ++i)
     parts << swatch(filterColour(i)) + filterName(names[i]).toHtmlEscaped();
   if (!names.empty()) {
+    key_.brief = parts.join(QStringLiteral("&nbsp;&nbsp; "));
     parts << tr("hatched: waiting for work") << tr("dotted: waiting for a serial step");
     if (model_.cachedCells() > 0) parts << tr("crossed out: from the cache");
-    filters_->setText(tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; ")));
+    key_.whole = tr("Filters below the cells: ") + parts.join(QStringLiteral("&nbsp;&nbsp; "));
   } else {
-    filters_->setText(timeline_->timeline().planned
-                          ? tr("Before a run: the cells by estimated cost, each on the first free thread.")
-                          : tr("The lanes of the threads fill when cells run."));
+    key_.whole = key_.brief = timeline_->timeline().planned
+                                  ? tr("Before a run: the cells by estimated cost, each on the first free thread.")
+                                  : tr("The lanes of the threads fill when cells run.");
   }
 }
 

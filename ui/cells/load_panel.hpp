@@ -51,7 +51,14 @@ class LoadPanel : public QWidget {
   /// Emitted to leave a preview and show the cells of the run again.
   void runRequested();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
+  /// A text, and its form where there is little room.
+  struct Words {
+    QString whole, brief;
+  };
   void makeThreadBox(RunThreads& threads);
   void makePlaceBox(RunPlaces& places);
   QWidget* makeEmptyPage();
@@ -63,12 +70,14 @@ class LoadPanel : public QWidget {
   void showPhases(const CellBlock& block);
   void showTimeUse(const CellBlock& block);
   void showFilters();
+  void fitTexts();
 
   CellModel& model_;
   QStackedWidget* stack_;
   QLabel* emptyText_;
   QPushButton* parallel_;
   QLabel* strategy_;
+  Words head_, key_;  ///< texts of strategy_ and filters_
   QPushButton* back_;
   QComboBox* threadBox_;
   QComboBox* placeBox_;
