@@ -14,7 +14,7 @@ namespace {
 constexpr int kLeastWidth = 11;
 constexpr int kLeastHeight = 6;
 // A content that needs more of the window's height scrolls, even if its dock should fit its content.
-constexpr double kMostFitted = 0.3;
+constexpr double kMostFitted = 0.35;
 
 bool takesFocus(const QWidget& widget) {
   return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::TabFocus) != 0;

@@ -45,7 +45,7 @@ int runUnattended(EditorWindow& window, const EditorOptions& options, const std:
   QObject::connect(&settle, &QTimer::timeout, &window, [&] {
     if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
     // A session's part of a large environment comes after the first one, and blocks after either.
-    if (window.file().busy() || window.controller().busy() || window.packed().busy()) return;
+    if (window.file().busy() || window.controller().busy() || window.packed().busy() || window.drawing()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().cameraController().viewFromTop();
@@ -77,6 +77,7 @@ int takeScreenshot(EditorWindow& window, const EditorOptions& options) {
     // Nobody can close them in a picture.
     for (ViewHint* hint : window.findChildren<ViewHint*>()) hint->hide();
     window.view().grabFramebuffer();  // what follows finds all of it drawn
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     QSaveFile file(target);
     const bool written = file.open(QIODevice::WriteOnly) && window.grab().save(&file, "PNG") && file.commit();
     finish(written ? 0

@@ -243,6 +243,7 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
+    grid->setRowStretch(1, 1);  // the description gets what the button has grown by
     grid->addWidget(picture, 0, 0, 2, 1);
     grid->addWidget(title, 0, 1, Qt::AlignBottom);
     grid->addWidget(text, 1, 1, Qt::AlignTop);
