@@ -179,7 +179,10 @@ void LevelLook::addInside(CommandRegistry& commands) {
 // The first result makes the legend larger, and a hint about filters makes the view lower. Their order is up to two
 // threads, so the level is framed until both are there.
 void LevelLook::frameWhileOpening() {
-  connect(&file_, &LevelFile::opened, this, [this] { isFraming_ = awaitsResult_ = awaitsNotes_ = true; });
+  connect(&file_, &LevelFile::opened, this, [this] {
+    isFraming_ = awaitsNotes_ = true;
+    awaitsResult_ = controller_.busy();  // a list that cannot run has failed by now
+  });
   const auto takeResult = [this] {
     awaitsResult_ = false;
     endFramingSoon();

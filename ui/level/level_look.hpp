@@ -29,8 +29,9 @@ class LevelLook : public QObject {
   [[nodiscard]] CutBar& cutBar() { return *cutBar_; }
   /// Called when a level that was opened has its hint about filters, which makes the view lower, or has none.
   void takeNotes();
-  /// Returns whether a level that was opened is still framed anew: its first result or its hint is not there yet.
-  [[nodiscard]] bool isFraming() const { return isFraming_; }
+  /// Returns whether a level that was opened will be framed anew without another run: its hint is not there yet, or
+  /// both have just come. A run that is awaited may have been stopped by an edit.
+  [[nodiscard]] bool isFraming() const { return isFraming_ && (awaitsNotes_ || !awaitsResult_); }
 
  private:
   void addLayers(const FeatureHost& host);

@@ -3,6 +3,7 @@
 #include <QSettings>
 #include <cmath>
 
+#include "core/pipeline/pipeline_fragment.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/house_obj.hpp"
 #include "ui/view/widgets/view_hint.hpp"
@@ -92,6 +93,17 @@ class TestLookInside : public QObject {
       QVERIFY(openZUp(*window_, house_, kTooDeep));
       QVERIFY(isAlike(first, view().cameraController().pose()));
     }
+  }
+
+  // A list that cannot run has no result to wait for.
+  void aListThatCannotRunIsFramedToo() {
+    ImportOptions import;
+    import.up = UpAxis::Z;
+    window_->openWith(house_, parsePipelineFragment("GridStrategy 2 2\nSlopeFilter 45\n", "test"), import);
+    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }, kWaitMs));
+    QVERIFY(waitUntilIdle(*window_));
+    QVERIFY(!window_->controller().finishedRun());
+    QVERIFY(QRectF(view().rect()).contains(view().project({0, 0, 1.5}).value()));
   }
 
   // Once the level is there, a panel moves nothing on the screen, and the camera is not sent back.
