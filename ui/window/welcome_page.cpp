@@ -59,7 +59,9 @@ class SampleButton : public QToolButton {
     for (int row = 0; row < grid->rowCount(); ++row) {
       QWidget* text = grid->itemAtPosition(row, 1)->widget();
       const int width = grid->cellRect(row, 1).width();
-      height += text->hasHeightForWidth() ? text->heightForWidth(width) : text->sizeHint().height();
+      const int needed = text->hasHeightForWidth() ? text->heightForWidth(width) : text->sizeHint().height();
+      text->setMinimumHeight(needed);  // the layout gives wrapped texts the height that they prefer
+      height += needed;
     }
     const QMargins margins = grid->contentsMargins();
     const int least = std::max(height + grid->verticalSpacing(), kThumbnail.height() / 2);
@@ -243,7 +245,6 @@ void WelcomePage::setSamples(const std::vector<Sample>& samples) {
     grid->setHorizontalSpacing(10);
     grid->setVerticalSpacing(1);
     grid->setColumnStretch(1, 1);
-    grid->setRowStretch(1, 1);  // the description gets what the button has grown by
     grid->addWidget(picture, 0, 0, 2, 1);
     grid->addWidget(title, 0, 1, Qt::AlignBottom);
     grid->addWidget(text, 1, 1, Qt::AlignTop);
