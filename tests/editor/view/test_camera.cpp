@@ -4,6 +4,7 @@
 #include <QTabletEvent>
 #include <QWheelEvent>
 #include <cmath>
+#include <limits>
 
 #include "tests/editor/editor_driver.hpp"
 #include "ui/view/camera/camera_tools.hpp"
@@ -56,6 +57,19 @@ class TestCamera : public QObject {
     // A point is shown with what is around it.
     camera().frame({0, 0, 1}, {0, 0, 1});
     QVERIFY(distance(camera().pose().position, {0, 0, 1}) > 0.01);
+  }
+
+  // The bounds of nothing are no place to go to.
+  void placesThatAreNoNumbersAreLeftOut() {
+    const CameraPose before = camera().pose();
+    const double none = std::numeric_limits<double>::infinity();
+    camera().frame({none, none, none}, {-none, -none, -none});
+    camera().lookAt({std::nan(""), 0, 0});
+    CameraPose pose = before;
+    pose.position.x = std::nan("");
+    camera().setPose(pose);
+    QVERIFY(distance(camera().pose().position, before.position) < 1e-9);
+    QVERIFY(distance(camera().pose().pivot, before.pivot) < 1e-9);
   }
 
   void looksAtAPlace() {

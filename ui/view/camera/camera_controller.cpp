@@ -27,6 +27,8 @@ constexpr double kStill = 1e-9;       // share of the coordinates: a camera that
 
 double radians(double degrees) { return degrees * M_PI / 180; }
 
+bool isFinite(const Vec& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
 bool isNear(const Vec3& a, const Vec3& b, double most) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z) <= most; }
 
 bool isAlike(const CameraPose& a, const CameraPose& b, double most) {
@@ -67,7 +69,9 @@ void CameraController::replaceScene(std::shared_ptr<const EnvironmentGeometry> s
 
 // --- Poses
 
+// A camera whose place is no number would show nothing.
 void CameraController::setPose(const CameraPose& pose) {
+  if (!isFinite(toVec(pose.position)) || !isFinite(toVec(pose.pivot))) return;
   endGlide();
   glide_.place(pose);
   framed_.reset();
@@ -120,6 +124,7 @@ void CameraController::zoomAt(double factor, const QPointF& place) {
     const double depth = (camera().pivotPoint() - from) * ahead;
     target = rate != 0 ? from + along * (depth / rate) : camera().pivotPoint();
   }
+  if (!isFinite(target)) return;
   // The view is scaled about the target; the pivot moves with it, and so does the scale of parallel projections.
   camera().frame()->setPivotPoint(target + (camera().pivotPoint() - target) / factor);
   camera().setPosition(target + (camera().position() - target) / factor);
@@ -275,6 +280,7 @@ void CameraController::fitTo(const std::vector<Vec3>& points) {
 }
 
 void CameraController::frameInScene(const Vec& lower, const Vec& upper) {
+  if (!isFinite(lower) || !isFinite(upper)) return;  // the bounds of nothing
   const Vec middle = (lower + upper) / 2;
   const double least = kLeastFrame * viewer_.sceneRadius();
   Vec half = (upper - lower) / 2;
@@ -294,6 +300,7 @@ void CameraController::frame(const Vec3& lower, const Vec3& upper) {
 
 void CameraController::lookAt(const Vec3& place) {
   const Vec target = toVec(place - origin());
+  if (!isFinite(target)) return;
   endGlide();
   const CameraPose from = glide_.now();
   const double distance = (camera().position() - camera().pivotPoint()).norm();
