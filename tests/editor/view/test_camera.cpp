@@ -255,8 +255,19 @@ class TestCamera : public QObject {
     const double speed = tools->fly().speed();
     wheel(QRectF(view.rect()).center(), {0, 120});
     QVERIFY(tools->fly().speed() > speed);
+    // However far the wheel is turned, the speed stays a number, and so does the camera's place.
+    wheel(QRectF(view.rect()).center(), {0, 1'200'000'000});
+    const double fastest = tools->fly().speed();
+    QVERIFY(std::isfinite(fastest) && fastest > speed);
+    wheel(QRectF(view.rect()).center(), {0, -1'200'000'000});
+    QVERIFY(tools->fly().speed() > 0);
     QTest::keyClick(&view, Qt::Key_Escape);
     QVERIFY(!view.tool());
+    camera().zoomBy(1e-300);
+    camera().zoomBy(1e-300);
+    const Vec3 far = camera().pose().position;
+    QVERIFY(std::isfinite(far.x) && std::isfinite(far.y) && std::isfinite(far.z));
+    camera().fit();
   }
 
   void bookmarksComeBack() {

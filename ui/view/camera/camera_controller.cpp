@@ -105,7 +105,9 @@ void CameraController::setForPicture(bool on) {
 void CameraController::zoomBy(double factor) {
   endGlide();
   const Vec pivot = camera().pivotPoint();
-  camera().setPosition(pivot + (camera().position() - pivot) / factor);
+  const Vec position = pivot + (camera().position() - pivot) / factor;
+  if (!isFinite(position)) return;
+  camera().setPosition(position);
   step();
 }
 
@@ -124,10 +126,12 @@ void CameraController::zoomAt(double factor, const QPointF& place) {
     const double depth = (camera().pivotPoint() - from) * ahead;
     target = rate != 0 ? from + along * (depth / rate) : camera().pivotPoint();
   }
-  if (!isFinite(target)) return;
   // The view is scaled about the target; the pivot moves with it, and so does the scale of parallel projections.
-  camera().frame()->setPivotPoint(target + (camera().pivotPoint() - target) / factor);
-  camera().setPosition(target + (camera().position() - target) / factor);
+  const Vec pivot = target + (camera().pivotPoint() - target) / factor;
+  const Vec position = target + (camera().position() - target) / factor;
+  if (!isFinite(pivot) || !isFinite(position)) return;
+  camera().frame()->setPivotPoint(pivot);
+  camera().setPosition(position);
   step();
 }
 
@@ -157,6 +161,7 @@ void CameraController::lookBy(double sideways, double up) {
 
 // Moves the camera together with the pivot.
 void CameraController::shift(const Vec& way) {
+  if (!isFinite(way)) return;
   camera().setPosition(camera().position() + way);
   camera().frame()->setPivotPoint(camera().pivotPoint() + way);
   step();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/steering/fly_tool.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace footfall::ui {
@@ -8,6 +9,7 @@ namespace {
 
 constexpr double kFaster = 4;
 constexpr double kSpeedFactor = 1.25;
+constexpr double kMostChange = 1000;  // of the speed that suits the level, by the wheel
 
 }  // namespace
 
@@ -19,7 +21,7 @@ FlyTool::FlyTool(LevelView& view, QObject* parent)
   connect(&input_, &SteeringInput::advanced, this, &FlyTool::advance);
   connect(&input_, &SteeringInput::looked, &camera_, &CameraController::lookBy);
   connect(&input_, &SteeringInput::wheelTurned, this, [this](double notches) {
-    speed_ *= std::pow(kSpeedFactor, notches);
+    speed_ = std::clamp(speed_ * std::pow(kSpeedFactor, notches), usual_ / kMostChange, usual_ * kMostChange);
     emit speedChanged(speed_);
   });
   connect(&view_, &LevelView::toolChanged, this, [this] {

@@ -19,7 +19,7 @@ class FlyTool : public QObject, public ViewTool {
   explicit FlyTool(LevelView& view, QObject* parent = nullptr);
 
   /// Units a second.
-  void setSpeed(double speed) { speed_ = speed; }
+  void setSpeed(double speed) { speed_ = usual_ = speed; }
   [[nodiscard]] double speed() const { return speed_; }
 
   [[nodiscard]] QCursor cursor() const override { return Qt::BlankCursor; }
@@ -36,7 +36,8 @@ class FlyTool : public QObject, public ViewTool {
   LevelView& view_;
   CameraController& camera_;
   SteeringInput input_;
-  double speed_ = 5;
+  double usual_ = 5;  ///< the last one that was set
+  double speed_ = usual_;
 };
 
 }  // namespace footfall::ui
