@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/run/step_statuses.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "ui/base/core_text.hpp"
@@ -36,9 +37,13 @@ StepStatus StepStatuses::statusOf(int id, const Row& row) const {
     status.fraction = attempted->status.fraction;
     return status;
   }
-  if (shown != shown_.end() && shown->second.prefix == row.prefix) return shown->second.status;
-  if (attempted && attempted->prefix == row.prefix && attempted->status.state == StepState::Done)
-    return attempted->status;
+  // Equal rows may have changed places, so the steps up to a row count, and not which row it was.
+  const auto isHere = [&](const auto& step) { return step.second.prefix == row.prefix; };
+  if (const auto here = std::ranges::find_if(shown_, isHere); here != shown_.end()) return here->second.status;
+  if (attempt_) {
+    const auto here = std::ranges::find_if(attempt_->steps, isHere);
+    if (here != attempt_->steps.end() && here->second.status.state == StepState::Done) return here->second.status;
+  }
   if (attempted && !attempt_->underWay && attempt_->key == key_) {
     if (attempted->status.state == StepState::Failed || attempted->status.state == StepState::Cancelled) {
       status.state = attempted->status.state;
