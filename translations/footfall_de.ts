@@ -1496,10 +1496,6 @@
         <translation>ein Speicher von %1 ist wahrscheinlich zu wenig für die Ebenen, die zuletzt kommen; %2 sind wahrscheinlich genug</translation>
     </message>
     <message>
-        <source>coordinates of very different sizes were rounded to a grid of %1, which is the last digit of the largest one, because runs would take many times longer; --grid off keeps them</source>
-        <translation>Koordinaten sehr verschiedener Größe wurden auf ein Raster von %1 gerundet, die letzte Stelle der größten, weil Läufe sonst um ein Vielfaches länger dauerten; mit --grid off bleiben sie, wie sie sind</translation>
-    </message>
-    <message>
         <source>coordinates of very different sizes need %1 bits together, and runs take many times longer; put them on a grid when the file is read, or check the largest and the smallest ones</source>
         <translation>Koordinaten sehr verschiedener Größe brauchen zusammen %1 Bit, und Läufe dauern um ein Vielfaches länger; legen Sie sie beim Lesen der Datei auf ein Raster, oder prüfen Sie die größten und die kleinsten</translation>
     </message>

@@ -3,11 +3,8 @@
 
 #include <algorithm>
 #include <bit>
-#include <charconv>
 #include <cstddef>
 #include <limits>
-#include <numeric>
-#include <string>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/base/parallel_sort.hpp"
@@ -20,8 +17,6 @@ namespace {
 constexpr double kCoarsest = 0.00025;  // metres
 constexpr int kBitsOfExtent = 24;      // of a float
 constexpr int kBitsOfDouble = 52;      // whole steps stay below 2^53, so that each is a double
-constexpr int kLeastExponent = -1100;  // below that of each double
-constexpr int kExponents = 2200;       // ... and so many from there on
 
 double powerOfTwoAbove(double x) {
   int exponent = 0;
@@ -35,36 +30,9 @@ double powerOfTwoBelow(double x) {
   return std::ldexp(1.0, exponent - 1);
 }
 
-std::string shortNumber(double value) {
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 6);
-  return {digits.data(), end.ptr};
-}
-
 bool isStep(double step) { return std::isnormal(step) && std::isnormal(1 / step); }
 
 }  // namespace
-
-void GridExtent::include(const std::array<Vec3, 3>& corners) {
-  for (const Vec3& corner : corners) {
-    include(corner);
-    for (const double x : {corner.x, corner.y, corner.z}) coordinates.include(x);
-  }
-  const auto& [a, b, c] = corners;
-  const auto sideOf = [](double x, double y, double z) { return std::max({x, y, z}) - std::min({x, y, z}); };
-  const double side = std::max({sideOf(a.x, b.x, c.x), sideOf(a.y, b.y, c.y), sideOf(a.z, b.z, c.z)});
-  if (!(side > 0) || !std::isfinite(side)) return;
-  if (sizes_.empty()) sizes_.resize(kExponents);
-  ++sizes_[static_cast<std::size_t>(std::ilogb(side) - kLeastExponent)];
-}
-
-double GridExtent::sizeOfHalf() const {
-  const std::uint64_t all = std::accumulate(sizes_.begin(), sizes_.end(), std::uint64_t{0});
-  std::uint64_t above = 0;
-  for (std::size_t i = sizes_.size(); i-- > 0;)
-    if (above += sizes_[i]; above > 0 && 2 * above >= all) return std::ldexp(1.0, static_cast<int>(i) + kLeastExponent);
-  return 0;
-}
 
 TriangleSoup onGridOf(const Environment& environment, TriangleSoup soup) {
   if (environment.grid.step > 0)
@@ -92,25 +60,9 @@ double usualGridStep(const GridExtent& extent, double metresPerUnit) {
   return isStep(step) ? step : 0;
 }
 
-// Vertices of no triangle may be larger than all others; then no step suits both, and coordinates stay as they are.
-double stepOfManyBits(const GridExtent& extent) {
-  const Grid& grid = extent.coordinates;
-  if (grid.width() <= kMostUsualBits || extent.largest >= std::ldexp(1.0, grid.top)) return 0;
-  const double step = std::ldexp(1.0, grid.top - kBitsOfDouble);
-  return isStep(step) && std::ldexp(step, kBitsOfExtent) <= extent.sizeOfHalf() ? step : 0;
-}
-
-std::optional<Text> noteOnManyBits(const ImportOptions& options, bool areFloats, const CoordinateGrid& grid) {
-  if (options.grid != GridChoice::Auto || areFloats || grid.step == 0) return std::nullopt;
-  return Text(FOOTFALL_TEXT("coordinates of very different sizes were rounded to a grid of %1, which is the last digit "
-                            "of the largest one, because runs would take many times longer; --grid off keeps them"),
-              shortNumber(grid.step));
-}
-
 double chosenGridStep(const ImportOptions& options, bool areFloats, const GridExtent& extent, double metresPerUnit) {
-  if (options.grid == GridChoice::Off) return 0;
-  const bool areDoubles = options.grid == GridChoice::Auto && !areFloats;
-  const double usual = areDoubles ? stepOfManyBits(extent) : usualGridStep(extent, metresPerUnit);
+  if (options.grid == GridChoice::Off || (options.grid == GridChoice::Auto && !areFloats)) return 0;
+  const double usual = usualGridStep(extent, metresPerUnit);
   if (usual == 0) return 0;
   if (options.grid == GridChoice::Step) {
     const double least = std::ldexp(powerOfTwoAbove(extent.largest), -kBitsOfDouble);

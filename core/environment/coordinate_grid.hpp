@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -15,10 +14,8 @@
 
 #include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
-#include "core/exact/grid.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/environment.hpp"
-#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
@@ -42,13 +39,6 @@ namespace footfall::detail {
 struct GridExtent {
   Box triangles;       ///< the box of all corners of triangles
   double largest = 0;  ///< the largest coordinate of any vertex, in size
-  Grid coordinates;    ///< the digits of all corners of triangles
-
-  /// Includes a triangle with its digits and its size, on which the rare step of a level of many bits depends.
-  void include(const std::array<Vec3, 3>& corners);
-  /// Returns the power of two such that at least half of the triangles have a box whose longest side is that long; 0
-  /// where there is none.
-  [[nodiscard]] double sizeOfHalf() const;
 
   void include(const Vec3& corner) {
     for (std::size_t k = 0; k < 3; ++k) {
@@ -61,30 +51,15 @@ struct GridExtent {
   void includeVertex(const Vec3& p) { largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)}); }
 
   bool isEmpty = true;
-
- private:
-  std::vector<std::uint64_t> sizes_;  ///< numbers of triangles by the exponent of the longest side of their boxes
 };
-
-/// Coordinates that need more bits together make runs many times slower. Levels with rounding errors about zero need up
-/// to 120.
-inline constexpr int kMostUsualBits = 128;
 
 /// The usual step: the power of two nearest above 2^-24 of the largest side of the box, at most 0.25 mm, and never
 /// finer than doubles of the largest coordinate. 0 where no double is such a step.
 [[nodiscard]] double usualGridStep(const GridExtent& extent, double metresPerUnit);
-/// The step for files in doubles whose coordinates need more than kMostUsualBits together: that of doubles of the
-/// largest coordinate. 0 for all others, and where it would not be small beside most triangles: then the largest
-/// coordinates are what is unusual, and not the smallest.
-[[nodiscard]] double stepOfManyBits(const GridExtent& extent);
 /// The step that the options choose, 0 for none. `areFloats`: the numbers of the file are floats, or were placed by
 /// matrices.
 [[nodiscard]] double chosenGridStep(const ImportOptions& options, bool areFloats, const GridExtent& extent,
                                     double metresPerUnit);
-
-/// The note for the user where coordinates were rounded because they need very many bits.
-[[nodiscard]] std::optional<Text> noteOnManyBits(const ImportOptions& options, bool areFloats,
-                                                 const CoordinateGrid& grid);
 
 /// Returns whether a usual step may change with another scale: the bound of 0.25 mm holds, or would.
 [[nodiscard]] bool gridDependsOnScale(const Environment& environment, double metresPerUnit);

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "core/base/number_text.hpp"
-#include "core/environment/coordinate_grid.hpp"
 #include "core/environment/scale_guess.hpp"
 #include "core/exact/grid.hpp"
 #include "core/inspect/scale_evidence.hpp"
@@ -29,6 +28,7 @@ constexpr double kNearSlope = 0.05;   // degrees beyond the limit that roundings
 constexpr double kSameSlope = 1e-12;  // of angles that are computed in doubles
 constexpr double kMuch = 0.01;        // of all that faces up
 constexpr std::size_t kFewest = 6;    // triangles: three risers are stairs
+constexpr int kMostBits = 128;        // of coordinates; levels with rounding errors about zero have up to 120
 
 /// The text of a note, empty where there is none, and its change.
 struct Advice {
@@ -269,7 +269,7 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
                 std::nullopt});
     }
   }
-  if (level.bits > kMostUsualBits)
+  if (level.bits > kMostBits)
     notes.push_back({std::nullopt,
                      Text(FOOTFALL_TEXT("coordinates of very different sizes need %1 bits together, and "
                                         "runs take many times longer; put them on a grid when the file "

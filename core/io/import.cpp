@@ -2,11 +2,9 @@
 #include "core/io/import.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <filesystem>
 #include <system_error>
-#include <utility>
 
 #include "core/base/sorted_list.hpp"
 #include "core/environment/coordinate_grid.hpp"
@@ -83,16 +81,13 @@ void noteGrid(Environment& environment, const FileFrame& frame) {
 }
 
 /// Rounds the whole environment to the grid that the options choose, unless it is already on a grid that is as coarse.
-/// `areFloats` as chosenGridStep().
 void chooseGrid(Environment& environment, const ImportOptions& options, bool areFloats, RunContext* context) {
   GridExtent extent;
   for (const Vec3& p : environment.vertices) extent.includeVertex(p);
-  for (const auto& [a, b, c] : environment.triangles)
-    extent.include(std::array<Vec3, 3>{environment.vertices[a], environment.vertices[b], environment.vertices[c]});
+  for (const Triangle& triangle : environment.triangles)
+    for (const std::uint32_t corner : triangle) extent.include(environment.vertices[corner]);
   const double step = chosenGridStep(options, areFloats, extent, environment.metresPerUnit);
-  if (step <= environment.grid.step) return;
-  putOnGrid(environment, step, Poll(context));
-  if (auto note = noteOnManyBits(options, areFloats, environment.grid)) environment.notes.push_back(std::move(*note));
+  if (step > environment.grid.step) putOnGrid(environment, step, Poll(context));
 }
 
 /// `areFloats` becomes true for files whose numbers are floats.
@@ -134,9 +129,7 @@ Environment readEnvironment(const std::string& path, const ImportOptions& option
   const auto read = [&](const std::string& file) { return readFile(file, options, areFloats, context); };
   std::error_code error;
   Environment whole = std::filesystem::is_directory(path, error) ? readFolder(path, read) : read(path);
-  // Packing chose the grid of a packed environment.
-  if (options.grid != GridChoice::Auto || lowerExtension(path) != kPackedExtension)
-    chooseGrid(whole, options, areFloats, context);
+  chooseGrid(whole, options, areFloats, context);
   return whole;
 }
 

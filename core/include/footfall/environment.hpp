@@ -14,8 +14,7 @@
 
 namespace footfall {
 
-/// The coordinates that import() rounds to a grid, and the choice of the grid (docs/explanation/coordinates.md). Auto also
-/// rounds files in doubles whose coordinates need more than 128 bits together, to the last digit of the largest one.
+/// The coordinates that import() rounds to a grid, and the choice of the grid (docs/explanation/coordinates.md).
 enum class GridChoice : std::uint8_t {
   Auto,  ///< files of floats and of placed meshes (glTF, FBX, DAE, 3DS, binary STL, PLY in floats), to the usual step
   On,    ///< all files, to the usual step

@@ -200,7 +200,9 @@ CoordinateGrid EnvironmentPacker::putOnGrid(const ImportOptions& options, UpAxis
   up_ = up;
   GridExtent extent;
   forEachVertex([&](const Vec3& p) { extent.includeVertex(p); });
-  forEachFace([&](const std::array<Vec3, 3>& corners) { extent.include(corners); });
+  forEachFace([&](const std::array<Vec3, 3>& corners) {
+    for (const Vec3& corner : corners) extent.include(corner);
+  });
   const double step = chosenGridStep(options, areFloats, extent, metresPerUnit);
   if (step == 0) return {};
   if (faceCount_ <= memory_.facesOnGrid && vertexCount_ <= kMostSplitVertices) return putOnGridInMemory(step);

@@ -6,7 +6,6 @@
 #include <system_error>
 #include <utility>
 
-#include "core/environment/coordinate_grid.hpp"
 #include "core/io/file_frame.hpp"
 #include "core/io/import.hpp"
 #include "core/io/input_file.hpp"
@@ -59,7 +58,6 @@ PackResult packEnvironment(const std::string& path, const std::string& target, c
     if (extension == "glb") frame = gltfFrame();
     setFrame(head, frame, options, usualFrame(extension));
     head.grid = packer.putOnGrid(options, head.up, head.metresPerUnit);
-    if (auto note = noteOnManyBits(options, packer.areFloats, head.grid)) head.notes.push_back(std::move(*note));
   } else {
     packer.restart();
     head = {};

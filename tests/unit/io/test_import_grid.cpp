@@ -104,42 +104,6 @@ class TestImportGrid : public QObject {
     QVERIFY(isOnGrid(*other) && other->grid.largestMovement > 0 && other->grid.largestMovement < 0x1p-20);
   }
 
-  // 100 m beside 1e-37 m need 193 bits together. The grid of the largest coordinate drops only what no double beside it
-  // has.
-  void coordinatesOfManyBitsAreRounded() {
-    const QByteArray content("v 0 1e-37 0\nv 100.1 0 0\nv 0 0 -100.1\nv 0.25 -0.1 1e-37\nf 1 2 3\nf 2 3 4\n");
-    const TemporaryFolder folder;
-    const std::string file = folder.write("a.obj", content);
-    const auto level = importEnvironment(file);
-    QCOMPARE(level->grid.step, 0x1p-45);  // 128 * 2^-52
-    QVERIFY(isOnGrid(*level) && level->vertices[0].z == 0 && level->vertices[1].x == 100.1);
-    QVERIFY(level->notes.size() == 1 && level->notes[0].str().starts_with("coordinates of very different sizes"));
-
-    const std::string packed = folder.path("a.ffenv");
-    const PackResult result = packEnvironment(file, packed, {}, nullptr);
-    QVERIFY(result.notes == level->notes);
-    const auto read = importEnvironment(packed);
-    QVERIFY(read->grid == level->grid && read->vertices.size() == level->vertices.size());
-
-    ImportOptions options;
-    options.grid = GridChoice::Off;
-    const auto exact = importEnvironment(file, options);
-    QVERIFY(exact->grid.step == 0 && exact->vertices[0].z == 1e-37 && exact->notes.empty());
-    packEnvironment(file, packed, options, nullptr);  // packing chose; reading changes nothing any more
-    QVERIFY(importEnvironment(packed)->grid.step == 0);
-  }
-
-  // One coordinate of 1e30 would round a whole level to nothing. It is what is unusual, so all stay as they are.
-  void oneLargeCoordinateRoundsNothing() {
-    QByteArray content("v 0 0 0\nv 1.1 0 0\nv 0 0 -1.1\nv 1e30 0 0.1\n");
-    for (int i = 0; i < 5; ++i) content += "f 1 2 3\n";
-    const TemporaryFolder folder;
-    const auto unused = importEnvironment(folder.write("a.obj", content));
-    const auto used = importEnvironment(folder.write("b.obj", content + "f 1 2 4\n"));
-    for (const auto& level : {unused, used})
-      QVERIFY(level->grid.step == 0 && level->vertices[1].x == 1.1 && level->notes.empty());
-  }
-
   void floatsAreRounded_data() {
     QTest::addColumn<QByteArray>("content");
     QTest::addColumn<QString>("name");
