@@ -66,6 +66,21 @@ class TestFilterRows : public QObject {
     QCOMPARE(row(3)->stateText(), QString("done"));
   }
 
+  void equalRowsThatChangePlacesStayDone() {
+    Document& document = window_->document();
+    document.addFilter(filterDescriptor(FilterType::Degeneracy), 1);
+    document.moveFilter(document.filters()[4].id, 1);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(document.filters()[0].step, document.filters()[1].step);
+    window_->controller().setAutomatic(false);
+    const int first = document.filters()[0].id;
+    document.moveFilter(first, 1);
+    QCOMPARE(document.filters()[1].id, first);
+    QVERIFY(window_->controller().upToDate());
+    for (int i = 0; i < 5; ++i)
+      QVERIFY2(row(i)->stateText() == "done" || row(i)->stateText() == "cached", qPrintable(row(i)->stateText()));
+  }
+
   void aClickOnANameSelectsAndOpensTheRow() {
     QTest::mouseClick(row(2)->nameLabel(), Qt::LeftButton);
     QCOMPARE(selected(), (QList<int>{2}));
