@@ -1,5 +1,6 @@
 // The facts about a filter that other code decides by. The descriptor of each filter has one FilterTraits, so that a
-// new filter is described in one place. SPDX-License-Identifier: GPL-3.0-or-later
+// new filter is described in one place.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <cstddef>

@@ -60,7 +60,7 @@ class CellRunner {
   /// Messages about too little memory name enough for so many bytes besides those that are charged, an estimate of what
   /// later work needs. No run is refused because of it.
   void expect(std::uint64_t bytes) { expected_ = std::max(expected_, bytes); }
-  /// From now on messages name no more than what is known to be needed.
+  /// Messages name no more than what is known to be needed from this call on.
   void expectNothing() { expected_ = 0; }
   /// The least memory in which so many bytes besides those that are charged have room.
   [[nodiscard]] std::uint64_t leastFor(std::uint64_t bytes) const;

@@ -132,7 +132,7 @@ class TileLayers {
     return static_cast<std::uint64_t>(1.25 * perTriangle * static_cast<double>(first_.back()));
   }
 
-  // Where there is no room for all pairs, they are counted to the end, so that the message names what is enough.
+  // Pairs that have no room are counted to the end all the same, so that the message names what is enough.
   void addPairs(const TileUnion& made, const std::vector<Pair>& found) {
     pairCount_ += found.size();
     checkNumbers();

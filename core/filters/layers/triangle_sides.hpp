@@ -13,7 +13,7 @@
 
 namespace footfall::detail {
 
-/// What pairs of triangles are compared by.
+/// A triangle as pairs of them are compared: its places in the plan and their box.
 struct BoxedTriangle {
   Index triangle = -1;  ///< or -1: there is none
   PlanTriangle plan{};

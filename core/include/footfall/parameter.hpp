@@ -1,5 +1,6 @@
 // A parameter of a filter: its name, unit, default and range. Fields of the editor show numbers by the same
-// description. SPDX-License-Identifier: GPL-3.0-or-later
+// description.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <string_view>

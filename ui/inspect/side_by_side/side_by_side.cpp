@@ -169,8 +169,8 @@ void SideBySide::open(const Pipeline& pipeline, const QString& name) {
   action_->setChecked(true);
   takeLevel();
   countA();
-  // In the half of the view that is left, the middle stays the middle, and what was between the sides stays there; a
-  // level that was in sight as a whole is fitted.
+  // The half of the view that is left keeps its middle and shows what was between the sides; a level that was in sight
+  // as a whole is fitted.
   QTimer::singleShot(0, pair_->link.get(), [this, pose, wide, isWhole] {
     CameraController& camera = view_.cameraController();
     camera.setPose(pose);

@@ -59,7 +59,7 @@ void ViewLayout::place(const QSize& view) const {
   heights_->setGeometry(right - wanted.width(), top, wanted.width(), std::clamp(bottom - top, 40, most));
   if (hint_) {
     constexpr int kNarrow = 240;  // narrower lines would be broken too often
-    // At the upper edge, where little of a level lies; the gizmo may be wider than the heights.
+    // The hint lies at the upper edge, where little of a level is; the gizmo may be wider than the heights.
     int end = shown(heights_) ? heights_->x() - kGap : right;
     int y = shown(heights_) ? kMargin : top;
     if (shown(gizmo_) && y < gizmo_->geometry().bottom()) end = std::min(end, gizmo_->x() - kGap);
