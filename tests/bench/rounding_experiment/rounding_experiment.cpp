@@ -1,5 +1,6 @@
 // footfall-rounding-experiment: what cutting obstacles and rounding the cuts costs (thesis 5.1.1), beside Footfall's
-// own way, and how far its result is from the exact one (thesis 5.5). SPDX-License-Identifier: GPL-3.0-or-later
+// own way, and how far its result is from the exact one (thesis 5.5).
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>

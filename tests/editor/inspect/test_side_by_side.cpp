@@ -80,7 +80,7 @@ class TestSideBySide : public EditorSuite {
     QVERIFY(!window_->commands().find("view.sideBySide")->isChecked());
   }
 
-  // What was in sight is in sight in each half, and comes back as large as it was.
+  // Each half shows all that was in sight, and the one view afterwards is as large as it was.
   void aWideLevelFitsIntoTheHalves_data() {
     QTest::addColumn<bool>("fromTop");
     QTest::newRow("oblique") << false;

@@ -1,5 +1,6 @@
 // Regions above themselves, by their outlines alone, and pieces of them without a list of overlapping pairs: the
-// answers of the plain way, and how much work they take. SPDX-License-Identifier: GPL-3.0-or-later
+// answers of the plain way, and how much work they take.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <rapidcheck.h>
 
 #include <QTest>

@@ -98,7 +98,7 @@ void TestNeedleFans::obstaclesAreTheSame() {
   QVERIFY(inFans > 500 && found > 100);
 }
 
-// By boxes, each of n needles meets n / 4 others on each disc.
+// Boxes alone would make each of n needles meet n / 4 others on each disc.
 void TestNeedleFans::visitsDoNotGrowWithNeedles() {
   for (const int needles : {500, 2000}) {
     const StatePtr state = runFilters(stackedDiscs(3, needles, 0.5, 0, 0).environment(), "SlopeFilter 45\n");

@@ -1,8 +1,8 @@
 // Runs that are cancelled at many moments: each ends with Cancelled, soon, and the next run gives the same bytes.
 //
 // FOOTFALL_TEST_ROUNDS multiplies the number of moments. FOOTFALL_CANCEL_FILES adds environments, as FILE:CLEARANCE
-// with spaces between them. Standard output has a row for each environment and pipeline. SPDX-License-Identifier:
-// GPL-3.0-or-later
+// with spaces between them. Standard output has a row for each environment and pipeline.
+// SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
 #include <atomic>
