@@ -12,24 +12,11 @@
 #include <memory>
 #include <thread>
 
+#include "floor.hpp"
+
 using namespace footfall;
 
 namespace {
-
-/// A floor of size x size squares of one metre.
-std::shared_ptr<const Environment> floorOf(std::uint32_t size) {
-  auto level = std::make_shared<Environment>();
-  for (std::uint32_t y = 0; y <= size; ++y)
-    for (std::uint32_t x = 0; x <= size; ++x) level->vertices.push_back({double(x), double(y), 0});
-  for (std::uint32_t y = 0; y < size; ++y) {
-    for (std::uint32_t x = 0; x < size; ++x) {
-      const std::uint32_t a = y * (size + 1) + x, b = a + 1, c = b + size + 1, d = c - 1;
-      level->triangles.push_back({a, b, c});
-      level->triangles.push_back({a, c, d});
-    }
-  }
-  return level;
-}
 
 /// A wall of a metre's height across the level, in the plane x, with a doorway between y = `door` and `door` + 1.
 TriangleSoup wallWithDoor(double x, double length, double door) {
