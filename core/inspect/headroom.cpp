@@ -19,9 +19,6 @@ constexpr std::size_t kPlacesPerRange = 512;
 /// The distance by which rounding may have moved a coordinate: a few operations of half a unit in the last place each.
 constexpr double kRounding = 8 * 0x1p-53;
 
-/// The move from a corner towards the middle of its triangle: too little to see, and far beyond rounding.
-constexpr double kInward = 0x1p-10;
-
 Vec3 difference(const Vec3& a, const Vec3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 bool covers(const Vec3& a, const Vec3& b, const Vec3& c) {
@@ -106,26 +103,6 @@ std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> pl
     }
   });
   return heights;
-}
-
-std::vector<float> cornerHeadroom(const HeadroomTree& tree, const NavigationMesh& mesh, double cap, Poll poll) {
-  std::vector<Vec3> places(mesh.triangles.size() * 3);
-  forRanges(mesh.triangles.size(), 8192, [&](std::size_t first, std::size_t last) {
-    poll();
-    for (std::size_t t = first; t < last; ++t) {
-      std::array<Vec3, 3> p;
-      for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.vertices[mesh.triangles[t][k]];
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto inward = [k](double a, double b, double c) {
-          const std::array values{a, b, c};
-          return values[k] + kInward * ((a / 3 + b / 3 + c / 3) - values[k]);
-        };
-        places[3 * t + k] = {inward(p[0].x, p[1].x, p[2].x), inward(p[0].y, p[1].y, p[2].y),
-                             inward(p[0].z, p[1].z, p[2].z)};
-      }
-    }
-  });
-  return headroomAt(tree, places, cap, poll);
 }
 
 }  // namespace footfall::detail

@@ -47,8 +47,4 @@ class HeadroomTree {
 /// parallel; `poll` as above, about every millisecond.
 std::vector<float> headroomAt(const HeadroomTree& tree, std::span<const Vec3> places, double cap, Poll poll = {});
 
-/// The same at the corners of a mesh's triangles, three for each, as seen from inside the triangle: where a walkable
-/// triangle ends below the edge of a table, its corner is beside the table and not under it.
-std::vector<float> cornerHeadroom(const HeadroomTree& tree, const NavigationMesh& mesh, double cap, Poll poll = {});
-
 }  // namespace footfall::detail

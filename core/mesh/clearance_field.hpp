@@ -75,7 +75,6 @@ class ClearanceField {
   [[nodiscard]] double margin() const { return 0x1p-40 * surface_.scale; }
   /// The distance from its place at which a ray may pass.
   [[nodiscard]] double tolerance() const { return 0x1p-46 * surface_.scale; }
-  [[nodiscard]] std::size_t windowCount() const { return windows_.size(); }
 
  private:
   friend class FieldSpread;

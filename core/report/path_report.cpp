@@ -96,17 +96,6 @@ nlohmann::ordered_json placeJson(const NavigationMesh& mesh, const std::optional
 
 }  // namespace
 
-std::string detail::formatPlace(const Vec3& p, UpAxis up) {
-  const Vec3 q = inFileFrame(p, up);
-  std::string text;
-  appendNumber(text, q.x);
-  text += ' ';
-  appendNumber(text, q.y);
-  text += ' ';
-  appendNumber(text, q.z);
-  return text;
-}
-
 std::string formatFailure(const PathResult& path, UpAxis up) {
   const std::string text = describeFailure(path);
   return path.separation ? text + "; " + barrierSentence(*path.separation, up) : text;

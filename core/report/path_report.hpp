@@ -1,4 +1,4 @@
-// Paths as OBJ, and places as text (footfall/report.hpp has the rest).
+// Paths as OBJ, and what separates places as text (footfall/report.hpp has the rest).
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
@@ -7,9 +7,6 @@
 #include "footfall/report.hpp"
 
 namespace footfall::detail {
-
-/// A point in the frame of the environment's file, "1 2.5 -3": the way the user wrote it.
-std::string formatPlace(const Vec3& p, UpAxis up);
 
 /// Why no way leads from start to target, a line for each place: what is missing least, what else is on the same way,
 /// other ways; with the triangles that stand there. Places in the frame of the environment's file.

@@ -258,18 +258,4 @@ FileFrame readWithAssimp(const std::string& path, Environment& environment, RunC
   return frame;
 }
 
-std::vector<std::string> assimpExtensions() {
-  aiString list;  // "*.3ds;*.dae;..."
-  Assimp::Importer().GetExtensionList(list);
-  std::vector<std::string> extensions;
-  std::string_view rest(list.C_Str());
-  while (!rest.empty()) {
-    const std::size_t stop = std::min(rest.find(';'), rest.size());
-    const std::string_view entry = rest.substr(0, stop);
-    if (entry.substr(0, 2) == "*.") extensions.emplace_back(entry.substr(2));
-    rest.remove_prefix(std::min(stop + 1, rest.size()));
-  }
-  return extensions;
-}
-
 }  // namespace footfall::detail

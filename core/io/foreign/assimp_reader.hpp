@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "core/io/file_frame.hpp"
 #include "footfall/environment.hpp"
@@ -19,8 +18,5 @@ namespace footfall::detail {
 /// Throws InputError, one line with Assimp's message, for a file that it cannot read, for coordinates that are NaN or
 /// infinite and indices out of range; Cancelled when `context` (may be null) was cancelled.
 FileFrame readWithAssimp(const std::string& path, Environment& environment, RunContext* context);
-
-/// Extensions that this build of Assimp reads, lower case, without the dot.
-std::vector<std::string> assimpExtensions();
 
 }  // namespace footfall::detail

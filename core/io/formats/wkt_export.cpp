@@ -108,13 +108,6 @@ class WktWriter {
 
 }  // namespace
 
-std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
-                           std::optional<std::uint32_t> part) {
-  ExportOptions options;
-  options.part = part;
-  return formatLayerWkt(mesh, polygons, std::optional(layer), options);
-}
-
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
                            const ExportOptions& options, Poll poll) {
   WktWriter writer(mesh, options, poll);
@@ -126,18 +119,6 @@ std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polyg
                            Poll poll) {
   WktWriter writer(mesh, options, poll);
   writer.text = "GEOMETRYCOLLECTION (";
-  writer.links(polygons);
-  return writer.text + ")\n";
-}
-
-std::string formatWkt(const NavigationMesh& mesh, Poll poll) {
-  const PlanPolygons polygons = makePlanPolygons(mesh, poll);
-  WktWriter writer(mesh, {}, poll);
-  writer.text = "GEOMETRYCOLLECTION (";
-  for (std::uint32_t layer = 0; layer < polygons.layerCount; ++layer) {
-    writer.layer(polygons, layer, {});
-    writer.text += ", ";
-  }
   writer.links(polygons);
   return writer.text + ")\n";
 }

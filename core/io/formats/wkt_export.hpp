@@ -18,11 +18,9 @@ namespace footfall::detail {
 
 /// The polygons of a layer, or of all layers: POLYGON where there is one, POLYGON EMPTY where there is none, else a
 /// GEOMETRYCOLLECTION of them. MULTIPOLYGON is not used, because it forbids the borders that neighbouring parts share.
-/// With `part` (from 0), only the polygons of that connected part.
-std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::uint32_t layer,
-                           std::optional<std::uint32_t> part = std::nullopt);
+/// With ExportOptions::part (from 0), only the polygons of that connected part.
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
-                           const ExportOptions& options, Poll poll = {});
+                           const ExportOptions& options = {}, Poll poll = {});
 
 /// A GEOMETRYCOLLECTION of five MULTILINESTRINGs, EMPTY where there are no lines: the edges where layers meet; the
 /// edges of steps, gaps and drops; and the edges inside polygons that agents cannot cross.
@@ -33,8 +31,5 @@ std::string formatLinksWkt(const NavigationMesh& mesh, const PlanPolygons& polyg
 /// Throws what checkPolygonOptions() and `poll` throw.
 std::vector<OutputFile> makeWktFiles(const NavigationMesh& mesh, const std::string& path,
                                      const ExportOptions& options = {}, Poll poll = {});
-
-/// Everything in one GEOMETRYCOLLECTION: the layers, each as above, and then the five MULTILINESTRINGs.
-std::string formatWkt(const NavigationMesh& mesh, Poll poll = {});
 
 }  // namespace footfall::detail

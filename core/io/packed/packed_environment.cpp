@@ -2,7 +2,6 @@
 #include "core/io/packed/packed_environment.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstring>
 #include <iterator>
@@ -10,7 +9,6 @@
 #include <mutex>
 #include <string_view>
 #include <unordered_map>
-#include <utility>
 
 #include "core/base/byte_stream.hpp"
 #include "core/base/digest.hpp"
@@ -216,7 +214,6 @@ PackedEnvironment::PackedEnvironment(const std::string& path, const ImportOption
   readHeader();
   readDescription(options);
   readTable();
-  isTouched_ = std::make_unique<std::atomic<bool>[]>(blocks_.size());
 }
 
 PackedEnvironment::~PackedEnvironment() = default;
@@ -312,11 +309,6 @@ Box PackedEnvironment::boxOf(std::size_t block) const {
   return turned(box, fromFileFrame(pointOf(box.lower), head_.up), fromFileFrame(pointOf(box.upper), head_.up));
 }
 
-std::size_t PackedEnvironment::touchedBlocks() const {
-  return static_cast<std::size_t>(
-      std::count_if(isTouched_.get(), isTouched_.get() + blocks_.size(), [](const auto& is) { return is.load(); }));
-}
-
 std::vector<std::size_t> PackedEnvironment::blocksTouching(const Box& box) const {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < blocks_.size(); ++i)
@@ -379,7 +371,6 @@ BlockArrays PackedEnvironment::readBlock(std::size_t number) const {
                 std::all_of(arrays.places.begin(), arrays.places.end(), isIn);
   for (const auto& corners : arrays.corners) isGood = isGood && areBelow(corners, block.vertices);
   if (!isGood) failDamaged();
-  isTouched_[number].store(true, std::memory_order_relaxed);
   return arrays;
 }
 

@@ -73,8 +73,6 @@ class PackedEnvironment {
   [[nodiscard]] Box boxOf(std::size_t block) const;
   /// The number of bytes of the file that were read so far.
   [[nodiscard]] std::uint64_t bytesRead() const { return bytesRead_.load(std::memory_order_relaxed); }
-  /// The number of blocks that were read.
-  [[nodiscard]] std::size_t touchedBlocks() const;
   /// Calls visit(block, corners), Z up, for all coarse faces (coarseFaces()), one block after the other; blocks() has
   /// their number for each block. A file of version 1 has none.
   void forCoarseFaces(const std::function<void(std::size_t, const CoarseFace&)>& visit) const;
@@ -125,7 +123,6 @@ class PackedEnvironment {
   Environment head_;
   std::vector<PackedBlock> blocks_;
   PackedCoarse coarse_;
-  std::unique_ptr<std::atomic<bool>[]> isTouched_;  ///< for each block
   mutable std::atomic<std::uint64_t> bytesRead_{0};
 };
 

@@ -84,19 +84,6 @@ class TestHeadroom : public QObject {
     QVERIFY(!tree.lowestAbove({1, 2, 0}, 2, stack));
   }
 
-  // A corner is seen from inside its triangle: the same vertex is free on one side and covered on the other.
-  void cornersSeeTheirOwnSide() {
-    const auto room = Soup().floor(0, 0, 2, 2, 0).floor(2, 0, 4, 2, 0).ceiling(2, 0, 4, 2, 1).environment();
-    const NavigationMesh mesh = navigationMesh(runFilters(room, "DegeneracyFilter"));
-    const auto heights = cornerHeadroom(HeadroomTree(room), mesh, 5);
-    QCOMPARE(heights.size(), mesh.triangles.size() * 3);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      double middle = 0;
-      for (const auto v : mesh.triangles[t]) middle += mesh.vertices[v].x / 3;
-      for (std::size_t k = 0; k < 3; ++k) QCOMPARE(heights[3 * t + k], middle < 2 ? 5.0F : 1.0F);
-    }
-  }
-
   void randomSoups() {
     std::mt19937_64 random(test::seed());
     int compared = 0;
@@ -152,10 +139,6 @@ class TestHeadroom : public QObject {
     }
     QVERIFY(middles.size() > 100);
     for (const float height : headroomAt(tree, middles, kInfinity)) QVERIFY(height >= clearance * (1 - 1e-5));
-    // The heights of all corners at once equal those one by one, on any number of threads.
-    const auto corners = cornerHeadroom(tree, *result.mesh, 2 * clearance);
-    runWithThreads(1, [&] { QVERIFY(cornerHeadroom(tree, *result.mesh, 2 * clearance) == corners); });
-    QCOMPARE(corners.size(), 3 * result.mesh->triangles.size());
   }
 
   void cancels() {

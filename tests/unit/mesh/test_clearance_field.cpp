@@ -93,13 +93,13 @@ void compareLarge(const QString& path) {
       QVERIFY2(std::fabs(found - expected) <= 1e-10 * field.surface().scale,
                qPrintable(QStringLiteral("%1 %2: %3, must be %4").arg(p.x).arg(p.y).arg(found).arg(expected)));
     }
-    qInfo("%s, up to %g m: %d places, %zu windows", qPrintable(path), metres, compared, field.windowCount());
+    qInfo("%s, up to %g m: %d places", qPrintable(path), metres, compared);
     QVERIFY(compared > 0);
   }
 }
 
 bool areEqual(const ClearanceField& a, const ClearanceField& b) {
-  if (a.windowCount() != b.windowCount()) return false;
+  if (a.surface().edges.size() != b.surface().edges.size()) return false;
   for (std::uint32_t e = 0; e < a.surface().edges.size(); ++e) {
     const auto first = a.windowsOf(e), second = b.windowsOf(e);
     if (first.size() != second.size()) return false;
@@ -192,7 +192,7 @@ void TestClearanceField::canBeCancelled() {
 }
 
 void TestClearanceField::takesAnyMesh() {
-  QCOMPARE(ClearanceField(NavigationMesh{}).windowCount(), std::size_t{0});
+  QVERIFY(ClearanceField(NavigationMesh{}).surface().edges.empty());
   NavigationMesh mesh;
   mesh.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {2, 0, 0}};
   mesh.triangles = {{0, 1, 2}, {0, 2, 1}, {0, 1, 3}};  // up, down, no area
