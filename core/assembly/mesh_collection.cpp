@@ -8,7 +8,6 @@
 #include <array>
 #include <atomic>
 #include <bit>
-#include <cmath>
 #include <limits>
 #include <mutex>
 #include <numeric>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/assembly/mesh_relation.hpp"
 
-#include <algorithm>
-
 namespace footfall::detail {
 namespace {
 

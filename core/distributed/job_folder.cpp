@@ -5,9 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <limits>
 #include <system_error>
-#include <utility>
 
 #include "core/distributed/share_file.hpp"
 #include "core/io/export.hpp"

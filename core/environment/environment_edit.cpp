@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "core/environment/coordinate_grid.hpp"
 #include "core/environment/environment_head.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/exact/face_triangulation.hpp"
 
-#include <algorithm>
 #include <climits>
 #include <stdexcept>
 

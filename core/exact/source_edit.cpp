@@ -2,7 +2,6 @@
 #include "core/exact/source_edit.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/base/parallel.hpp"

@@ -10,7 +10,6 @@
 #include <cmath>
 #include <map>
 #include <span>
-#include <string>
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"

@@ -5,8 +5,6 @@
 #include <map>
 #include <mutex>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "core/assembly/mesh_assembly.hpp"

@@ -5,7 +5,6 @@
 #include <cctype>
 #include <filesystem>
 #include <limits>
-#include <set>
 #include <system_error>
 
 #include "core/base/number_text.hpp"

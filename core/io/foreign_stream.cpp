@@ -2,7 +2,6 @@
 #include "core/io/foreign_stream.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstring>

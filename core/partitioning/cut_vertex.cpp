@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <span>
 
 #include "core/exact/plan_kernel.hpp"
 #include "core/exact/source_predicates.hpp"

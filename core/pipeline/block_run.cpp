@@ -5,7 +5,6 @@
 #include <array>
 #include <chrono>
 #include <iterator>
-#include <span>
 
 #include "core/base/parallel.hpp"
 #include "core/base/worker_arena.hpp"

@@ -1,7 +1,6 @@
 // The text form of pipelines: the thesis's files (5.4), with messages that name line and column.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <cstring>
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include <new>
 #include <optional>
 #include <span>
-#include <stdexcept>
 #include <utility>
 
 #include "core/base/background_release.hpp"

@@ -6,10 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
 #include <stdexcept>
-#include <tuple>
-#include <type_traits>
 
 #include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"

@@ -2,8 +2,6 @@
 #include "core/filters/clearance/clearance_pass.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"

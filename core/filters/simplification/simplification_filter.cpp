@@ -3,7 +3,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/filter_registry.hpp"

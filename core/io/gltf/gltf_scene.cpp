@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace footfall::detail {
 namespace {

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
-#include <span>
 
 #include "core/base/digest.hpp"
 #include "core/io/packed/coarse_faces.hpp"

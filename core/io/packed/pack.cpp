@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
-#include <utility>
 
 #include "core/io/file_frame.hpp"
 #include "core/io/import.hpp"
