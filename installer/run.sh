@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # run.sh [ENVIRONMENT]: installs what is missing, builds Footfall and opens the editor on ENVIRONMENT, or on a sample.
 # A file of the same name with the ending .pipeline beside the environment is its pipeline. Without a display the
-# command line computes the walkable area instead.
+# command line is built first and computes the walkable area instead; then the rest is built.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
@@ -36,16 +36,19 @@ if [ -f "${pipeline}" ]; then arguments+=(-p "${pipeline}"); fi
 
 started_in="${PWD}"
 prepare release
-say "building"
-cmake --build --preset release -j "$(build_jobs)" --target installable
-
 if [ -n "${DISPLAY:-}${WAYLAND_DISPLAY:-}" ]; then
+  say "building"
+  cmake --build --preset release -j "$(build_jobs)" --target installable
   say "opening the editor on ${environment}"
   cd "${started_in}"
   exec "${repository}/build/release/footfall-editor" "${arguments[@]}"
 fi
+say "building the command line"
+cmake --build --preset release -j "$(build_jobs)" --target footfall
 name="$(basename -- "${environment}")"
 result="${repository}/build/${name%.*}-walkable.obj"
 say "no display: computing the walkable area of ${environment} on the command line"
 "${repository}/build/release/footfall" run "${arguments[@]}" -o "${result}"
 say "the result is in ${result}"
+say "building what else can be installed, the editor among it"
+cmake --build --preset release -j "$(build_jobs)" --target installable
