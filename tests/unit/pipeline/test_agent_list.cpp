@@ -1,7 +1,6 @@
 // Lists of agents, and the runs for several of them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -10,6 +9,7 @@
 #include "footfall/errors.hpp"
 #include "footfall/io.hpp"
 #include "footfall/report.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -17,15 +17,6 @@ using namespace footfall;
 using namespace footfall::test;
 
 namespace {
-
-std::string messageOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 /// The bytes of a result as an OBJ.
 QByteArray bytesOf(const NavigationMesh& mesh, const Pipeline& pipeline) {

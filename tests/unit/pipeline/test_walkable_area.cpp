@@ -13,6 +13,7 @@
 
 #include "footfall/footfall.hpp"
 #include "footfall/inspect.hpp"
+#include "tests/support/message_of.hpp"
 #include "tests/support/soup.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -23,15 +24,6 @@ namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-std::string messageOf(const std::function<void()>& work) {
-  try {
-    work();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 Environment withScale(double metresPerUnit) {
   Environment level;
@@ -227,7 +219,8 @@ class TestWalkableArea : public QObject {
     expect("vertex 0 ", [](Environment& level) { level.vertices[0].z = -kInfinity; });
     for (const double scale : {0.0, -1.0, kNaN, kInfinity})
       expect("metresPerUnit", [scale](Environment& level) { level.metresPerUnit = scale; });
-    expect("partOf has 1 entries", [](Environment& level) { level.partOf = {0}; });
+    expect("partOf has 1 entries",
+           [](Environment& level) { level.partOf = {0}; });
     expect("partOf names part 0 of 0", [](Environment& level) { level.partOf.assign(level.triangles.size(), 0); });
     expect("obstacleOnly has 9", [](Environment& level) { level.obstacleOnly.assign(9, 1); });
   }
