@@ -940,8 +940,8 @@
         <translation>das Ergebnis braucht %1 Bytes, mehr als eine .glb-Datei fasst; als .obj oder .gltf exportieren</translation>
     </message>
     <message>
-        <source>%1 has %2 entries for %3 triangles; give one for each triangle, or none</source>
-        <translation>%1 hat %2 Einträge für %3 Dreiecke; geben Sie einen für jedes Dreieck oder keinen</translation>
+        <source>the length of %1 is %2, and the number of triangles is %3; give one entry for each triangle, or none</source>
+        <translation>die Länge von %1 ist %2, die Zahl der Dreiecke ist %3; geben Sie einen Eintrag für jedes Dreieck an, oder keinen</translation>
     </message>
     <message>
         <source>the environment has no triangles</source>
@@ -1216,8 +1216,8 @@
         <translation>es lässt sich kein anderes Programm starten (%1)</translation>
     </message>
     <message>
-        <source>usualRoles has %1 entries for %2 parts; give one for each part, or none</source>
-        <translation>usualRoles hat %1 Einträge für %2 Teile; für jedes Teil einen angeben, oder keinen</translation>
+        <source>the length of usualRoles is %1, and the number of parts is %2; give one entry for each part, or none</source>
+        <translation>die Länge von usualRoles ist %1, die Zahl der Teile ist %2; geben Sie einen Eintrag für jeden Teil an, oder keinen</translation>
     </message>
     <message>
         <source>agents are %1 high, and the highest doorway here is %2: nobody gets through one; give %2 or less</source>

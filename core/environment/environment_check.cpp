@@ -9,8 +9,10 @@ namespace {
 
 void checkLength(std::size_t length, std::size_t triangles, const Text& name) {
   if (length != 0 && length != triangles)
-    throw InputError(FOOTFALL_TEXT("%1 has %2 entries for %3 triangles; give one for each triangle, or none"), name,
-                     length, triangles);
+    throw InputError(
+        FOOTFALL_TEXT(
+            "the length of %1 is %2, and the number of triangles is %3; give one entry for each triangle, or none"),
+        name, length, triangles);
 }
 
 }  // namespace
@@ -32,8 +34,10 @@ void checkEnvironment(const Environment& environment) {
   checkLength(environment.partOf.size(), triangles, "partOf");
   checkLength(environment.obstacleOnly.size(), triangles, "obstacleOnly");
   if (!environment.usualRoles.empty() && environment.usualRoles.size() != environment.parts.size())
-    throw InputError(FOOTFALL_TEXT("usualRoles has %1 entries for %2 parts; give one for each part, or none"),
-                     environment.usualRoles.size(), environment.parts.size());
+    throw InputError(
+        FOOTFALL_TEXT(
+            "the length of usualRoles is %1, and the number of parts is %2; give one entry for each part, or none"),
+        environment.usualRoles.size(), environment.parts.size());
   for (const std::uint32_t part : environment.partOf)
     if (part >= environment.parts.size())
       throw InputError(FOOTFALL_TEXT("partOf names part %1 of %2; parts count from 0"), part, environment.parts.size());

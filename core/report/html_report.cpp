@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
@@ -284,7 +282,8 @@ std::string blockSection(const BlockReport& block, int threads) {
   }
   html += cells.finish();
   if (order.size() > kMostRows)
-    html += "<p class=\"quiet\">and " + grouped(order.size() - kMostRows) + " cells with less work</p>\n";
+    html += "<p class=\"quiet\">and " + grouped(order.size() - kMostRows) +
+            (order.size() - kMostRows == 1 ? " cell" : " cells") + " with less work</p>\n";
   return html + "</section>\n";
 }
 

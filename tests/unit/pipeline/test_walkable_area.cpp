@@ -219,10 +219,10 @@ class TestWalkableArea : public QObject {
     expect("vertex 0 ", [](Environment& level) { level.vertices[0].z = -kInfinity; });
     for (const double scale : {0.0, -1.0, kNaN, kInfinity})
       expect("metresPerUnit", [scale](Environment& level) { level.metresPerUnit = scale; });
-    expect("partOf has 1 entries",
+    expect("the length of partOf is 1, and the number of triangles is 4",
            [](Environment& level) { level.partOf = {0}; });
     expect("partOf names part 0 of 0", [](Environment& level) { level.partOf.assign(level.triangles.size(), 0); });
-    expect("obstacleOnly has 9", [](Environment& level) { level.obstacleOnly.assign(9, 1); });
+    expect("the length of obstacleOnly is 9", [](Environment& level) { level.obstacleOnly.assign(9, 1); });
   }
 
   void versions() {
