@@ -5,7 +5,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <utility>
 
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/agent.hpp"
@@ -170,7 +169,9 @@ Pipeline pipelineFor(const Environment& environment, const Agent& agent) {
 }
 
 void checkAgent(const Agent& agent) {
-  for (const AgentNumber& number : numbersOf(agent))
+  std::vector<AgentNumber> numbers = numbersOf(agent);
+  if (agent.step == 0) numbers.push_back({"gap", FilterType::Step, 1, agent.gap});
+  for (const AgentNumber& number : numbers)
     if (const Text wrong = checkNumber(number); !wrong.empty()) throw InputError(wrong);
 }
 

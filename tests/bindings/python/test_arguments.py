@@ -96,6 +96,8 @@ class Arguments(unittest.TestCase):
              lambda: footfall.Agent(radius=10**400)),
             ("agent: radius -1 is out of range; give a number of at least 0, in metres$",
              lambda: footfall.Agent(radius=-1)),
+            ("agent: gap -1 is out of range; give a number of at least 0, in metres$",
+             lambda: footfall.Agent(step=0, gap=-1)),
             ("agent: height is not a finite number; give a number above 0, in metres$",
              lambda: footfall.Agent(height=float("inf"))),
             (r"point: an array of shape \(2,\) and type int64 is not accepted; give three numbers: x, y and z$",

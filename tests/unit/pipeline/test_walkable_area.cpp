@@ -133,6 +133,9 @@ class TestWalkableArea : public QObject {
     QCOMPARE(message({.minimumArea = 0}), std::string("no error"));
     for (const double step : {-0.1, kNaN, kInfinity}) QVERIFY(message({.step = step}).starts_with("agent: step"));
     QCOMPARE(message({.step = 0}), std::string("no error"));
+    // The gap is checked although an agent that lifts no feet steps over none.
+    for (const double gap : {-1.0, kNaN, kInfinity})
+      for (const double step : {0.0, 0.4}) QVERIFY(message({.step = step, .gap = gap}).starts_with("agent: gap"));
     // The value is in range in metres, and above all doubles in units.
     QVERIFY(messageOf([] { (void)pipelineFor(withScale(1e-200), {.height = 1e200}); }).starts_with("agent, in the"));
   }
