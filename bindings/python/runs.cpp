@@ -1,5 +1,7 @@
 // Runs, and the meshes that they leave.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "runs.hpp"
+
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
@@ -15,7 +17,6 @@
 #include "bindings.hpp"
 #include "definitions.hpp"
 #include "footfall/agent.hpp"
-#include "footfall/agent_list.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/inspect.hpp"
 #include "footfall/io.hpp"
@@ -341,54 +342,6 @@ parallel blocks, "blocks".)");
              [](const Area& a) { return makeExportHeader(a.pipeline); });
 }
 
-void checkThreads(int threads) {
-  constexpr int kMostThreads = 1024;
-  if (threads < 0 || threads > kMostThreads)
-    throw InputError("threads: " + std::to_string(threads) + " is out of range; give 0 to " +
-                     std::to_string(kMostThreads));
-}
-
-/// Returns whether a list or tuple begins with an agent.
-bool areAgents(const py::object& pipeline) {
-  if (!py::isinstance<py::list>(pipeline) && !py::isinstance<py::tuple>(pipeline)) return false;
-  const auto list = py::reinterpret_borrow<py::sequence>(pipeline);
-  return !list.empty() && py::isinstance<Agent>(list[0]);
-}
-
-std::vector<Agent> agentListFrom(const py::object& given) {
-  std::vector<Agent> agents;
-  for (const py::handle agent : given) {
-    if (!py::isinstance<Agent>(agent))
-      throw InputError("pipeline[" + std::to_string(agents.size()) + "]: " + typeNameOf(agent) +
-                       " is not accepted among agents; give a footfall.Agent");
-    agents.push_back(agent.cast<Agent>());
-  }
-  return agents;
-}
-
-std::shared_ptr<Area> areaOf(std::shared_ptr<const Environment> environment, AgentRun run,
-                             std::shared_ptr<ResultCache> cache) {
-  auto area = std::make_shared<Area>();
-  area->result = std::move(run.result);
-  area->data = area->result.mesh;
-  area->label = labelOf(*environment);
-  area->agent = agentText(run.pipeline);
-  area->environment = std::move(environment);
-  area->pipeline = std::move(run.pipeline);
-  area->cache = std::move(cache);
-  return area;
-}
-
-py::list runAll(const std::shared_ptr<const Environment>& environment, const std::vector<Agent>& agents, int threads,
-                const std::shared_ptr<ResultCache>& cache, const py::object& progress) {
-  checkThreads(threads);
-  std::vector<AgentRun> runs = interruptible(
-      progress, [&](RunContext& context) { return runAgents(environment, agents, context, cache.get(), threads); });
-  py::list areas;
-  for (AgentRun& run : runs) areas.append(areaOf(environment, std::move(run), cache));
-  return areas;
-}
-
 void bindRunning(py::module_& module) {
   py::class_<ResultCache, std::shared_ptr<ResultCache>> cache(
       module, "ResultCache",
@@ -406,7 +359,7 @@ bytes: about how much memory they may take; 0: an eighth of the machine's.)",
       module, "run",
       [](std::shared_ptr<Environment> environment, const py::object& pipeline, int threads,
          std::shared_ptr<ResultCache> cache, const py::object& progress) -> py::object {
-        if (areAgents(pipeline)) return runAll(environment, agentListFrom(pipeline), threads, cache, progress);
+        if (isAgentList(pipeline)) return runAgentList(environment, pipeline, threads, cache, progress);
         const bool isPipeline = py::isinstance<Pipeline>(pipeline) || py::isinstance<py::sequence>(pipeline);
         const bool isAgent = pipeline.is_none() || py::isinstance<Agent>(pipeline);
         if (!isAgent && !isPipeline)
@@ -481,6 +434,26 @@ std::string sizesOf(const NavigationMesh& mesh) {
 }
 
 std::string labelOf(const Environment& environment) { return "walkable area of " + environment.source; }
+
+void checkThreads(int threads) {
+  constexpr int kMostThreads = 1024;
+  if (threads < 0 || threads > kMostThreads)
+    throw InputError("threads: " + std::to_string(threads) + " is out of range; give 0 to " +
+                     std::to_string(kMostThreads));
+}
+
+std::shared_ptr<Area> areaOf(std::shared_ptr<const Environment> environment, AgentRun run,
+                             std::shared_ptr<ResultCache> cache) {
+  auto area = std::make_shared<Area>();
+  area->result = std::move(run.result);
+  area->data = area->result.mesh;
+  area->label = labelOf(*environment);
+  area->agent = agentText(run.pipeline);
+  area->environment = std::move(environment);
+  area->pipeline = std::move(run.pipeline);
+  area->cache = std::move(cache);
+  return area;
+}
 
 std::shared_ptr<Area> run(std::shared_ptr<const Environment> environment, Pipeline pipeline, int threads,
                           std::shared_ptr<ResultCache> cache, const py::object& progress) {

@@ -234,6 +234,9 @@ class Edits(unittest.TestCase):
         self.assertTrue(all(step["from_cache"] for step in again.statistics()["steps"]))
         with self.assertRaisesRegex(footfall.InputError, r"^pipeline\[1\]: a str is not accepted among agents; give a foot"):
             footfall.run(level, [footfall.Agent(), "SlopeFilter 45"])
+        for nothing in ([], ()):
+            with self.assertRaisesRegex(footfall.InputError, "^pipeline: the list is empty; give a step or an agent"):
+                footfall.run(level, nothing)
         with self.assertRaisesRegex(footfall.InputError, "^threads: -1"):
             footfall.run(level, agents, threads=-1)
 
