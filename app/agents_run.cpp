@@ -19,14 +19,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string agentText(const Pipeline& pipeline) {
-  const double radius = agentNumbers(pipeline).radius;
-  return describeAgent(pipeline) + (radius > 0 ? ", radius " + formatted(radius, "%.6g") : "");
-}
-
 std::string lineOf(const std::string& name, const AgentRun& run, const std::string& output) {
   const RunResult& result = run.result;
-  return name + ": " + agentText(run.pipeline) + "; area " + formatted(result.summary.area, "%.6g") + ", " +
+  return name + ": " + describeAgent(run.pipeline) + "; area " + formatted(result.summary.area, "%.6g") + ", " +
          counted(result.summary.triangles, "triangle", "triangles") + "; " + std::to_string(computedSteps(result)) +
          " of " + counted(result.steps.size(), "step", "steps") + " computed for it, " +
          formatted(result.totalMs, "%.1f ms") + (output.empty() ? "" : "; " + output) + '\n';

@@ -39,11 +39,6 @@ std::string summaryOf(const Area& area) {
   return area.summary ? *area.summary : formatSummary(*area.environment, area.result);
 }
 
-std::string agentText(const Pipeline& pipeline) {
-  const double radius = agentNumbers(pipeline).radius;
-  return describeAgent(pipeline) + (radius > 0 ? ", radius " + std::string(py::str("{:g}").format(radius)) : "");
-}
-
 py::dict areaState(const Area& area) {
   py::dict state = stateOf(*area.data);
   state["environment"] = held(area.environment);
@@ -61,7 +56,7 @@ std::shared_ptr<Area> areaFromState(const py::dict& state) {
   area->environment = py::cast<std::shared_ptr<Environment>>(state["environment"]);
   area->label = labelOf(*area->environment);
   area->pipeline = py::cast<Pipeline>(state["pipeline"]);
-  area->agent = agentText(area->pipeline);
+  area->agent = describeAgent(area->pipeline);
   area->result.summary.area = py::cast<double>(state["area"]);
   area->result.threads = py::cast<int>(state["threads"]);
   area->statistics = std::string(py::cast<py::bytes>(state["statistics"]));
@@ -448,7 +443,7 @@ std::shared_ptr<Area> areaOf(std::shared_ptr<const Environment> environment, Age
   area->result = std::move(run.result);
   area->data = area->result.mesh;
   area->label = labelOf(*environment);
-  area->agent = agentText(run.pipeline);
+  area->agent = describeAgent(run.pipeline);
   area->environment = std::move(environment);
   area->pipeline = std::move(run.pipeline);
   area->cache = std::move(cache);

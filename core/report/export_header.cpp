@@ -11,31 +11,6 @@
 namespace footfall {
 using namespace detail;
 
-std::string describeAgent(const Pipeline& pipeline) {
-  std::string slope = "slope any";
-  std::string height = "height any";
-  std::optional<double> smallestSlope, largestHeight, largestStep, largestGap;
-  for (const PipelineStep& step : pipeline.steps) {
-    if (!step.enabled || step.values.empty()) continue;
-    const ParameterDescriptor& parameter = step.filter->parameters.front();
-    if (step.filter->type == FilterType::Slope) {
-      smallestSlope = std::min(smallestSlope.value_or(step.values[0]), step.values[0]);
-      slope = "slope " + formatValue(parameter, *smallestSlope) + " degrees";
-    } else if (step.filter->type == FilterType::VerticalClearance) {
-      largestHeight = std::max(largestHeight.value_or(step.values[0]), step.values[0]);
-      height = "height " + formatValue(parameter, *largestHeight);
-    } else if (step.filter->type == FilterType::Step) {
-      largestStep = std::max(largestStep.value_or(0), step.values[0]);
-      largestGap = std::max(largestGap.value_or(0), step.values[1]);
-    }
-  }
-  const std::vector<ParameterDescriptor>& lengths = filterDescriptor(FilterType::Step).parameters;
-  std::string climbs;
-  if (largestStep) climbs += ", step " + formatValue(lengths[0], *largestStep);
-  if (largestGap.value_or(0) > 0) climbs += ", gap " + formatValue(lengths[1], *largestGap);
-  return slope + ", " + height + climbs;
-}
-
 namespace {
 
 void addSize(AgentNumbers& numbers, AgentSize size, double value) {
@@ -70,6 +45,20 @@ AgentNumbers agentNumbers(const Pipeline& pipeline) {
       if (const auto size = parameterUse(*step.filter, i).agentSize) addSize(numbers, *size, step.values[i]);
   }
   return numbers;
+}
+
+std::string describeAgent(const Pipeline& pipeline) {
+  const AgentNumbers numbers = agentNumbers(pipeline);
+  const auto shown = [](AgentSize size, double value) {
+    const DrivenParameter driven = drivenBy(size);
+    return formatValue(driven.filter->parameters[driven.parameter], value);
+  };
+  std::string text = "slope " + (numbers.maxSlope ? shown(AgentSize::MaxSlope, *numbers.maxSlope) + " degrees" : "any");
+  text += ", height " + (numbers.height ? shown(AgentSize::Height, *numbers.height) : "any");
+  if (numbers.step > 0) text += ", step " + shown(AgentSize::Step, numbers.step);
+  if (numbers.gap > 0) text += ", gap " + shown(AgentSize::Gap, numbers.gap);
+  if (numbers.radius > 0) text += ", radius " + shown(AgentSize::Radius, numbers.radius);
+  return text;
 }
 
 ExportHeader makeExportHeader(const Pipeline& pipeline) {

@@ -88,6 +88,14 @@ class TestAgentList : public QObject {
                                              "end 1 with " + fewer}));
   }
 
+  void exportsStateTheAgent() {
+    const auto agentOf = [](const Agent& agent) { return makeExportHeader(pipelineFor({}, agent)).agent; };
+    QCOMPARE(agentOf({}), std::string("slope 45 degrees, height 2, step 0.4, gap 0.05"));
+    QCOMPARE(agentOf({.step = 0}), std::string("slope 45 degrees, height 2"));
+    QCOMPARE(agentOf({.gap = 0, .radius = 0.3}), std::string("slope 45 degrees, height 2, step 0.4, radius 0.3"));
+    QCOMPARE(makeExportHeader({}).agent, std::string("slope any, height any"));
+  }
+
   void aCancelledContextEndsAllRuns() {
     RunContext context;
     context.cancel();
