@@ -38,6 +38,7 @@ import footfall
 with open(sys.argv[1], encoding="utf-8") as file:
     page = file.read()
 missing = [name for name in footfall.__all__ if f'id="footfall.{name}"' not in page]
+missing += [f"the types of {kind}" for kind in ("ArrayLike", "NDArray", "Optional") if kind not in page]
 sys.exit(f"the reference of Python lacks {', '.join(missing)}" if missing else 0)
 CHECK
 echo "${folder}/python/index.html"
