@@ -17,7 +17,6 @@ class CellLegend : public OverlayFrame {
  public:
   CellLegend(CellModel& model, QWidget* parent);
 
-  [[nodiscard]] QComboBox* colouringBox() const { return colouring_; }
   /// The text beside the colours.
   [[nodiscard]] QString text() const { return text_->text(); }
 

@@ -39,8 +39,6 @@ class CellWatch : public QObject {
   void showCells(bool on);
   void showLoad(bool on) { loadShown_ = on; }
 
-  [[nodiscard]] CellPreview& cellPreview() { return preview_; }
-
  signals:
   void previewFailed(const QString& message);
   /// Emitted with whether the filter list has an enabled strategy.

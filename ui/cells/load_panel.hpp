@@ -32,7 +32,6 @@ class LoadPanel : public QWidget {
   [[nodiscard]] BusyPlot& busyPlot() const { return *busy_; }
   [[nodiscard]] PhasePlot& phasePlot() const { return *phases_; }
   [[nodiscard]] PhasePlot& usePlot() const { return *use_; }
-  [[nodiscard]] QString useText() const { return useTexts_->text(); }
   [[nodiscard]] HistogramPlot& histogram() const { return *histogram_; }
   [[nodiscard]] MeasurePage& measurePage() const { return *measure_; }
   /// The pages Threads, Cells, Phases and Measure.

@@ -56,11 +56,6 @@ void FilterSelection::chooseRange(int from, int to) {
   for (int i = std::min(from, to); i <= std::max(from, to); ++i) chosen_.push_back(rows_[static_cast<std::size_t>(i)]);
 }
 
-void FilterSelection::chooseAll() {
-  chosen_ = rows_;
-  if (current_ < 0 && !rows_.empty()) current_ = anchor_ = rows_[0];
-}
-
 void FilterSelection::choose(const std::vector<int>& ids) {
   if (ids.empty()) return;
   chosen_ = ids;

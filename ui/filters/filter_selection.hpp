@@ -18,7 +18,6 @@ class FilterSelection {
   void choose(int id, Qt::KeyboardModifiers modifiers = Qt::NoModifier);
   /// Moves up or down by rows, stopping at the ends; with `extend`, selects from the anchor.
   void step(int rows, bool extend);
-  void chooseAll();
   void choose(const std::vector<int>& ids);
 
   [[nodiscard]] bool contains(int id) const;

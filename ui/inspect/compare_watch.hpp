@@ -52,7 +52,6 @@ class CompareWatch : public QObject {
   /// parts appeared. Null while there is none; that of an older result while busy().
   [[nodiscard]] const std::shared_ptr<const SurfaceDifference>& difference() const { return difference_; }
 
-  [[nodiscard]] bool areDistancesWanted() const { return wantsDistances_; }
   /// The distances from this result to the other one; null while there are none or they are not wanted.
   [[nodiscard]] const std::shared_ptr<const DistanceBands>& distances() const { return distances_; }
 

@@ -33,11 +33,9 @@ class ImportPanel : public QWidget {
   void setPart(std::uint64_t triangles, std::uint64_t ofAll);
   void setUnits(const LevelUnits& units);
 
-  [[nodiscard]] QComboBox* upBox() const { return up_; }
   [[nodiscard]] NumberField* scaleField() const { return scale_; }
-  /// The buttons that confirm a scale; shown while it is a guess.
+  /// The button that confirms a scale; shown while it is a guess.
   [[nodiscard]] QPushButton* yesButton() const { return yes_; }
-  [[nodiscard]] QPushButton* noButton() const { return no_; }
   [[nodiscard]] QString questionText() const { return question_->text(); }
   [[nodiscard]] QComboBox* gridBox() const { return grid_; }
   [[nodiscard]] QCheckBox* bothSidesBox() const { return bothSides_; }

@@ -33,7 +33,6 @@ class SelectObstacleTool : public QObject, public ViewTool {
 
   /// Sets whether sideways movements follow the ground up and down.
   void setSticking(bool on) { sticking_ = on; }
-  [[nodiscard]] bool sticking() const { return sticking_; }
   /// The handles of the selected obstacle, as the view shows them; empty when none is selected.
   [[nodiscard]] std::optional<ObstacleGizmo> gizmo() const;
 
