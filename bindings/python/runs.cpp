@@ -370,7 +370,7 @@ bytes: about how much memory they may take; 0: an eighth of the machine's.)",
 environment: an `Environment`.
 pipeline: a `Pipeline`, its text, a list of steps such as ("SlopeFilter", 45), or an `Agent`, for
     Environment.pipeline_for(agent=...); None: Agent(). Or a list of `Agent`: steps that their pipelines share are
-    computed once, and each area has the bytes of a run of its own.
+    computed once, and each area has the bytes of a run of its own. An empty list is refused.
 threads: how many may work, 0: as many as the machine has. The result does not depend on it.
 cache: a `ResultCache` that several runs share, or None.
 progress: called as progress(step, name, fraction), in the calling thread: a step's number from 0, its filter's
