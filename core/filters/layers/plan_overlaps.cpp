@@ -18,10 +18,10 @@
 // On a terrain, nearly no triangle needs to be looked up.
 //
 // Borders with thousands of vertices have needles, the boxes of which hold most of the others. Border sides are short
-// where there are many; so where there are many needles, the sides alone are looked up, among boxes of parts of
-// triangles, and the pairs that they find lead to all others over the links above. Each pair costs a few tests, however
-// many boxes touch each other. There, too, sheets that cover no place twice are found first, by their outlines
-// (cover_sweep.hpp): no pair of their own triangles is tested.
+// where there are many; so where boxes touch many more than overlap, the sides alone are looked up, among boxes of
+// parts of triangles, and the pairs that they find lead to all others over the links above. Each pair costs a few
+// tests, however many boxes touch each other. There, too, sheets that cover no place twice are found first, by their
+// outlines (cover_sweep.hpp): no pair of their own triangles is tested.
 #include "core/filters/layers/plan_overlaps.hpp"
 
 #include <algorithm>
@@ -38,6 +38,7 @@
 #include "core/base/unfilled_array.hpp"
 #include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/pair_set.hpp"
+#include "core/filters/layers/triangle_parts.hpp"
 #include "core/filters/layers/triangle_sides.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
@@ -91,7 +92,7 @@ class OverlapFinder {
     lookUpBorders(tree);
     forEach(kept.size(), [&](Local& local, std::size_t i) {
       const PlanTriangle plan = planOf(kept[i]);
-      tree.visitOverlapping(boundsOf(plan), [&](Index o) { test(local, kept[i], plan, o); });
+      tree.visitOverlapping(planBoundsOf(plan), [&](Index o) { test(local, kept[i], plan, o); });
     });
   }
 
@@ -120,7 +121,7 @@ class OverlapFinder {
 
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
   void findAmong(std::vector<Index> triangles) {
-    if (countNeedles(triangles) >= kFewNeedles) {
+    if (countNeedles(triangles) >= kFewNeedles && boxesTouchTooManyOthers(triangles)) {
       sheet_ = findFlatSheets(across_, kernel_, mesh_, context_, sheetFallbacks_, &decisions_);
       dropLonelySheets(triangles);
       findParts(triangles);
@@ -197,7 +198,7 @@ class OverlapFinder {
       const Index triangle = i == 0 ? t : across_[3 * t + i - 1];
       if (triangle < 0) continue;
       const PlanTriangle plan = planOf(triangle);
-      all[i] = {triangle, plan, boundsOf(plan)};
+      all[i] = {triangle, plan, planBoundsOf(plan)};
     }
     return all;
   }
@@ -232,12 +233,7 @@ class OverlapFinder {
     return planTriangleOf(mesh_.triangles[t], [this](Index v) -> const PlanPlace& { return places_[v]; });
   }
 
-  [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return boundsOf(planOf(t)); }
-
-  [[nodiscard]] static Tree::Bounds boundsOf(const PlanTriangle& p) {
-    return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
-            {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
-  }
+  [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return planBoundsOf(planOf(t)); }
 
   [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
     Tree tree;
@@ -290,7 +286,7 @@ class OverlapFinder {
     local.hits.clear();
     for (int k = 0; k < 3; ++k)
       if (across_[3 * t + k] < 0)
-        partTree_.visitOverlapping(boundsOfSide(3 * t + k), [&](Index part) {
+        partTree_.visitOverlapping(boundsOfSide(plan, k), [&](Index part) {
           if (const Index o = parts_[part].triangle; o != t) local.hits.push_back(o);
         });
     sortOnce(local.hits);
@@ -298,26 +294,26 @@ class OverlapFinder {
       if (overlaps(local, t, plan, o)) local.found.push_back(orderedPair(t, o));
   }
 
-  [[nodiscard]] Tree::Bounds boundsOfSide(Index side) const {
-    const PlanTriangle p = planOf(side / 3);
-    const std::size_t a = side % 3, b = (a + 1) % 3;
-    return {{std::min(p.x[a], p.x[b]) - p.error, std::min(p.y[a], p.y[b]) - p.error},
-            {std::max(p.x[a], p.x[b]) + p.error, std::max(p.y[a], p.y[b]) + p.error}};
-  }
-
-  /// The number of parts into which a triangle is cut; this number reduces how many of them reach a place, compared
-  /// with whole boxes.
-  [[nodiscard]] Index partCount(Index t) const {
-    const PlanTriangle p = planOf(t);
-    const Tree::Bounds b = boundsOf(p);
-    const double area = std::fabs((p.x[1] - p.x[0]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[1] - p.y[0]));
-    const double wasted = (b.upper[0] - b.lower[0]) * (b.upper[1] - b.lower[1]) / area / 4;
-    if (!(wasted >= 2)) return 1;
-    return wasted < kMostParts ? static_cast<Index>(wasted) : kMostParts;
-  }
-
   [[nodiscard]] std::size_t countNeedles(const std::vector<Index>& triangles) const {
-    return std::count_if(triangles.begin(), triangles.end(), [&](Index t) { return partCount(t) >= kPartsOfNeedle; });
+    return std::count_if(triangles.begin(), triangles.end(),
+                         [&](Index t) { return partCount(planOf(t)) >= kPartsOfNeedle; });
+  }
+
+  /// Whether most boxes that touch a triangle's are of triangles that it does not overlap, in a sample: then looking up
+  /// boxes takes longer than following pairs.
+  [[nodiscard]] bool boxesTouchTooManyOthers(const std::vector<Index>& triangles) {
+    const Tree tree = treeOf(triangles);
+    const std::size_t step = triangles.size() / kSampled + 1;
+    std::size_t sampled = 0, touching = 0, overlapping = 0;
+    for (std::size_t i = 0; i < triangles.size() && touching < kMostTouching; i += step, ++sampled) {
+      const Index t = triangles[i];
+      const PlanTriangle plan = planOf(t);
+      tree.visitOverlapping(planBoundsOf(plan), [&](Index o) {
+        if (o == t || ++touching > kMostTouching) return;
+        if (overlaps(locals_.local(), t, plan, o)) ++overlapping;
+      });
+    }
+    return touching > kFewTouching * sampled && touching > kTouchingPerPair * overlapping;
   }
 
   /// Takes away the triangles of flat sheets whose boxes touch that of no other sheet: they overlap nothing.
@@ -355,52 +351,21 @@ class OverlapFinder {
 
   void findParts(const std::vector<Index>& triangles) {
     std::size_t count = 0;
-    for (const Index t : triangles) count += partCount(t);
+    for (const Index t : triangles) count += partCount(planOf(t));
     Index most = kMostParts;
     for (; most > 1 && count > kParts + 4 * triangles.size(); most /= 2) {
       count = 0;
-      for (const Index t : triangles) count += std::min(partCount(t), most / 2);
+      for (const Index t : triangles) count += std::min(partCount(planOf(t)), most / 2);
     }
     for (const Index t : triangles) {
       context_.checkCancelled();
-      const Index own = std::min(partCount(t), most);
-      for (Index i = 0; i < own; ++i) parts_.push_back({t, boundsOfPart(t, i, own)});
+      const Index own = std::min(partCount(planOf(t)), most);
+      for (Index i = 0; i < own; ++i) parts_.push_back({t, boundsOfPart(planOf(t), i, own)});
     }
     std::vector<Index> all(parts_.size());
     std::iota(all.begin(), all.end(), Index{0});
     partTree_.build(
         all, [this](Index part) { return parts_[part].bounds; }, context_);
-  }
-
-  // The part between two places along the longer side of the box. Rounded corners are off by the error, so each point
-  // of the triangle is that near to one of the rounded triangle, which is cut a little before and behind both places.
-  [[nodiscard]] Tree::Bounds boundsOfPart(Index t, Index number, Index count) const {
-    const PlanTriangle p = planOf(t);
-    Tree::Bounds bounds = boundsOf(p);
-    if (count == 1) return bounds;
-    const std::array<double, 2> size{bounds.upper[0] - bounds.lower[0], bounds.upper[1] - bounds.lower[1]};
-    const int axis = size[0] >= size[1] ? 0 : 1;
-    const auto &along = axis == 0 ? p.x : p.y, &across = axis == 0 ? p.y : p.x;
-    const double step = size[axis] / count, start = bounds.lower[axis], margin = step / 64 + 4 * p.error;
-    if (number > 0) bounds.lower[axis] = start + number * step - margin;
-    if (number + 1 < count) bounds.upper[axis] = start + (number + 1) * step + margin;
-    const double low = bounds.lower[axis] - margin, high = bounds.upper[axis] + margin;
-    double least = std::numeric_limits<double>::infinity(), most = -least;
-    const auto take = [&](double place) {
-      least = std::min(least, place);
-      most = std::max(most, place);
-    };
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::size_t n = (k + 1) % 3;
-      if (along[k] >= low && along[k] <= high) take(across[k]);
-      for (const double end : {low, high})
-        if (std::min(along[k], along[n]) < end && end < std::max(along[k], along[n]))
-          take(across[k] + (end - along[k]) / (along[n] - along[k]) * (across[n] - across[k]));
-    }
-    const double slack = p.error + (std::fabs(least) + std::fabs(most)) * 0x1p-48;
-    bounds.lower[1 - axis] = std::max(bounds.lower[1 - axis], least - slack);
-    bounds.upper[1 - axis] = std::min(bounds.upper[1 - axis], most + slack);
-    return bounds;
   }
 
   void lookUpBorders(const Tree& borders) {
@@ -411,7 +376,7 @@ class OverlapFinder {
       local.bounds.clear();
       for (Index place = first; place < last; ++place) {
         plans[place - first] = planOf(borders.idAt(place));
-        local.bounds.push_back(boundsOf(plans[place - first]));
+        local.bounds.push_back(planBoundsOf(plans[place - first]));
       }
       borders.visitOverlapping(first, local.bounds, [&](Index place, Index o) {
         test(local, borders.idAt(place), plans[place - first], o);
@@ -427,7 +392,7 @@ class OverlapFinder {
     forEach(queries.size(), [&](Local& local, std::size_t i) {
       const Index t = queries[i];
       const PlanTriangle plan = planOf(t);
-      others_.visitOverlapping(boundsOf(plan), [&](Index o) {
+      others_.visitOverlapping(planBoundsOf(plan), [&](Index o) {
         if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, plan, o);
       });
     });
@@ -444,9 +409,11 @@ class OverlapFinder {
   }
 
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256, kVerticesPerTask = 2048, kPolled = 4096;
-  static constexpr Index kMostParts = 64, kPartsOfNeedle = 16;
+  static constexpr Index kPartsOfNeedle = 16;
   /// A pair is linked with 15 others, or found once from either triangle's border sides.
   static constexpr std::size_t kMostTimesFound = 16;
+  static constexpr std::size_t kSampled = 128, kMostTouching = std::size_t{1} << 15;
+  static constexpr std::size_t kFewTouching = 32, kTouchingPerPair = 10;  ///< measured: where either way takes as long
   static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
