@@ -120,6 +120,8 @@ int PlanKernel::exactSign(Index origin, const Evaluate& evaluate) const {
 }
 
 int PlanKernel::orientationBeyondFilter(Index a, Index b, Index c, ExactFallbacks& count) const {
+  const auto& places = mesh_->planIds;
+  if (places[a] == places[b] || places[b] == places[c] || places[c] == places[a]) return 0;
   if (isExactBelowProducts(sign_, mesh_->grid, heights_)) {
     const Vec3 &pa = mesh_->scaled[a], &pb = mesh_->scaled[b], &pc = mesh_->scaled[c];
     if (const MaybeSign s = signOfArea({pa.x, pa.y}, {pb.x, pb.y}, {pc.x, pc.y})) return *s;

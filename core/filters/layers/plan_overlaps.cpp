@@ -18,8 +18,8 @@
 // On a terrain, nearly no triangle needs to be looked up.
 //
 // Borders with thousands of vertices have needles, the boxes of which hold most of the others. Border sides are short
-// where there are many; so where boxes touch many more than overlap, the sides alone are looked up, among boxes of
-// parts of triangles, and the pairs that they find lead to all others over the links above. Each pair costs a few
+// where there are many; so where boxes touch many more than overlap, the sides that each triangle touches are looked up
+// (border_sides.hpp), and the pairs with their triangles lead to all others over the links above. Each pair costs a few
 // tests, however many boxes touch each other. There, too, sheets that cover no place twice are found first, by their
 // outlines (cover_sweep.hpp): no pair of their own triangles is tested.
 #include "core/filters/layers/plan_overlaps.hpp"
@@ -36,9 +36,10 @@
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/unfilled_array.hpp"
+#include "core/filters/layers/border_sides.hpp"
 #include "core/filters/layers/double_cover.hpp"
+#include "core/filters/layers/growing_triangles.hpp"
 #include "core/filters/layers/pair_set.hpp"
-#include "core/filters/layers/triangle_parts.hpp"
 #include "core/filters/layers/triangle_sides.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
@@ -122,29 +123,31 @@ class OverlapFinder {
   // All pairs among these triangles (ascending), of which every inner side leads to another one of them.
   void findAmong(std::vector<Index> triangles) {
     if (countNeedles(triangles) >= kFewNeedles && boxesTouchTooManyOthers(triangles)) {
-      sheet_ = findFlatSheets(across_, kernel_, mesh_, context_, sheetFallbacks_, &decisions_);
-      dropLonelySheets(triangles);
-      findParts(triangles);
+      findAmongNeedles(std::move(triangles));
+      return;
     }
     std::vector<Index> border, other;
     for (const Index t : triangles) (isAtBorder(t) ? border : other).push_back(t);
     triangles = {};
-    if (parts_.empty()) {
-      for (const Index t : border) round_[t] = 0;
-      others_ = treeOf(other);
-      other = {};
-      const std::size_t known = pairs_.size();
-      lookUpBorders(treeOf(border));
-      spread(known, 1);
-      return;
-    }
+    for (const Index t : border) round_[t] = 0;
+    others_ = treeOf(other);
+    other = {};
+    const std::size_t known = pairs_.size();
+    lookUpBorders(treeOf(border));
+    spread(known, 1);
+  }
+
+  void findAmongNeedles(std::vector<Index> triangles) {
+    sheet_ = findFlatSheets(across_, kernel_, mesh_, context_, sheetFallbacks_, &decisions_);
+    dropLonelySheets(triangles);
+    gatherSides(triangles);
     timesFound_ = kMostTimesFound;
     // In batches, so that of thousands of floors above each other few are before there are too many pairs.
     PairSet known;
     std::size_t batch = kFirstBatch;
-    for (std::size_t begin = 0; begin < border.size() && !tooMany(); begin += batch, batch *= 2) {
-      const std::size_t first = pairs_.size(), last = std::min(begin + batch, border.size());
-      forEach(last - begin, [&](Local& local, std::size_t i) { findAtBorder(local, border[begin + i]); });
+    for (std::size_t begin = 0; begin < triangles.size() && !tooMany(); begin += batch, batch *= 2) {
+      const std::size_t first = pairs_.size(), last = std::min(begin + batch, triangles.size());
+      forEach(last - begin, [&](Local& local, std::size_t i) { findBordersNear(local, triangles[begin + i]); });
       follow(first, known);
     }
   }
@@ -280,23 +283,28 @@ class OverlapFinder {
     return local.geometry.overlap(plan, planOf(o));
   }
 
-  // Finds the pairs of a triangle that have a part near one of its border sides.
-  void findAtBorder(Local& local, Index t) const {
+  // Finds the pairs of a triangle and one that has a border side near it.
+  void findBordersNear(Local& local, Index t) const {
     const PlanTriangle plan = planOf(t);
     local.hits.clear();
-    for (int k = 0; k < 3; ++k)
-      if (across_[3 * t + k] < 0)
-        partTree_.visitOverlapping(boundsOfSide(plan, k), [&](Index part) {
-          if (const Index o = parts_[part].triangle; o != t) local.hits.push_back(o);
-        });
+    sides_.visitNear(plan, planBoundsOf(plan), [&](Index o) {
+      if (o != t && !areOnOneSheet(t, o)) local.hits.push_back(o);
+    });
     sortOnce(local.hits);
     for (const Index o : local.hits)
       if (overlaps(local, t, plan, o)) local.found.push_back(orderedPair(t, o));
   }
 
+  /// True where the box of a triangle is far larger than the triangle.
+  [[nodiscard]] bool isNeedle(Index t) const {
+    const PlanTriangle p = planOf(t);
+    const Tree::Bounds b = planBoundsOf(p);
+    const double area = std::fabs((p.x[1] - p.x[0]) * (p.y[2] - p.y[0]) - (p.x[2] - p.x[0]) * (p.y[1] - p.y[0]));
+    return (b.upper[0] - b.lower[0]) * (b.upper[1] - b.lower[1]) > kBoxOfNeedle * area;
+  }
+
   [[nodiscard]] std::size_t countNeedles(const std::vector<Index>& triangles) const {
-    return std::count_if(triangles.begin(), triangles.end(),
-                         [&](Index t) { return partCount(planOf(t)) >= kPartsOfNeedle; });
+    return std::count_if(triangles.begin(), triangles.end(), [&](Index t) { return isNeedle(t); });
   }
 
   /// Whether most boxes that touch a triangle's are of triangles that it does not overlap, in a sample: then looking up
@@ -349,23 +357,15 @@ class OverlapFinder {
                     triangles.end());
   }
 
-  void findParts(const std::vector<Index>& triangles) {
-    std::size_t count = 0;
-    for (const Index t : triangles) count += partCount(planOf(t));
-    Index most = kMostParts;
-    for (; most > 1 && count > kParts + 4 * triangles.size(); most /= 2) {
-      count = 0;
-      for (const Index t : triangles) count += std::min(partCount(planOf(t)), most / 2);
-    }
+  void gatherSides(const std::vector<Index>& triangles) {
+    std::vector<BorderSides::Side> sides;
     for (const Index t : triangles) {
-      context_.checkCancelled();
-      const Index own = std::min(partCount(planOf(t)), most);
-      for (Index i = 0; i < own; ++i) parts_.push_back({t, boundsOfPart(planOf(t), i, own)});
+      const PlanTriangle p = planOf(t);
+      for (std::size_t a = 0; a < 3; ++a)
+        if (const std::size_t b = (a + 1) % 3; across_[3 * t + a] < 0)
+          sides.push_back({t, {p.x[a], p.y[a]}, {p.x[b], p.y[b]}, p.error});
     }
-    std::vector<Index> all(parts_.size());
-    std::iota(all.begin(), all.end(), Index{0});
-    partTree_.build(
-        all, [this](Index part) { return parts_[part].bounds; }, context_);
+    sides_.build(sides, context_);
   }
 
   void lookUpBorders(const Tree& borders) {
@@ -409,12 +409,12 @@ class OverlapFinder {
   }
 
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256, kVerticesPerTask = 2048, kPolled = 4096;
-  static constexpr Index kPartsOfNeedle = 16;
-  /// A pair is linked with 15 others, or found once from either triangle's border sides.
+  static constexpr double kBoxOfNeedle = 64;
+  /// A pair is linked with 15 others, or found once from either triangle.
   static constexpr std::size_t kMostTimesFound = 16;
   static constexpr std::size_t kSampled = 128, kMostTouching = std::size_t{1} << 15;
   static constexpr std::size_t kFewTouching = 32, kTouchingPerPair = 10;  ///< measured: where either way takes as long
-  static constexpr std::size_t kFewNeedles = 1024, kParts = std::size_t{1} << 20;
+  static constexpr std::size_t kFewNeedles = 1024;
   static constexpr Index kNever = std::numeric_limits<Index>::max();
 
   const WalkableMesh& mesh_;
@@ -423,18 +423,11 @@ class OverlapFinder {
   PerThread<Local> locals_;
   UnfilledArray<PlanPlace> places_;  ///< of the vertices: a third of what they take, and looked up all the time
   std::vector<Index> across_;        ///< for each side the triangle beyond it when it is inner, else -1
-  /// A triangle, or what of it is between two places.
-  struct Part {
-    Index triangle = -1;
-    Tree::Bounds bounds;
-  };
-
-  std::vector<Index> sheet_;  ///< findFlatSheets(); empty where there are few needles
+  std::vector<Index> sheet_;         ///< findFlatSheets(); empty where there are few needles
   std::size_t decisions_ = 0;
   ExactFallbacks sheetFallbacks_;
-  Tree others_;  ///< those that are not looked up at first
-  Tree partTree_;
-  std::vector<Part> parts_;     ///< empty: triangles are not cut
+  Tree others_;                 ///< those that are not looked up at first
+  BorderSides sides_;           ///< border sides; empty where there are few needles
   std::vector<Index> round_;    ///< in which each triangle was looked up
   std::vector<char> isSpread_;  ///< whether spread() met it
   std::vector<Pair> pairs_;

@@ -340,6 +340,27 @@ class TestDoubleCover : public QObject {
     }
   }
 
+  // Corners that have no few bits in common: doubles decide about the sides of two discs that lie in one line only
+  // because their ends are the same places.
+  void manyDiscsInAllDigitsOfDoubles() {
+    constexpr int kDiscs = 10;
+    Soup soup;
+    for (int storey = 0; storey < kDiscs; ++storey) soup.add(disc(4000, 3.0 * storey));
+    const StatePtr state = walkable(soup.mapped([](const Vec3& p) { return Vec3{p.x + 0.1, p.y - 0.7, p.z}; }));
+    const std::size_t triangles = state->mesh->triangles.size();
+    RunContext context;
+    ExactFallbacks fallbacks;
+    std::size_t tested = 0;
+    const auto found =
+        findPlanOverlaps(*state->kernel, *state->mesh, findEdges(state->mesh->triangles, state->mesh->vertices.size()),
+                         std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
+    QVERIFY(found.has_value());
+    const std::size_t perTriangle = kDiscs - 1;
+    QCOMPARE(found->size(), triangles * perTriangle / 2);
+    QVERIFY2(tested < 16 * perTriangle * triangles, qPrintable(QString::number(tested)));
+    QCOMPARE(fallbacks.orientation, decltype(fallbacks.orientation){0});
+  }
+
   // Each triangle of a spiral of n turns overlaps n others at least.
   void aSpiralIsNotTestedPairByPair() {
     for (const int turns : {50, 400}) {
