@@ -105,14 +105,17 @@ class Spread {
   template <class View>
   void visit(const Entry& entry, const View& view) {
     found_.push_back(entry.side / 3);
-    for (Index side : {MarginSurface::nextSide(entry.side), MarginSurface::previousSide(entry.side), entry.side}) {
+    for (const Index side :
+         {MarginSurface::nextSide(entry.side), MarginSurface::previousSide(entry.side), entry.side}) {
       if (surface_.isBorder(side)) continue;
       const PlanVector a = surface_.begin(side), b = surface_.end(side);
+      const bool exits = side != entry.side && view.exits(a, b);
+      if (!exits && !surface_.hasLink(side)) continue;
       if (!view.isNear(a, b, entry.low, entry.high)) continue;
       const auto [first, last] = view.range(a, b, entry.low - view.touch);
       const double low = std::max(first, entry.low), high = std::min(last, entry.high);
       if (low > high + view.touch) continue;
-      if (side == entry.side || !view.exits(a, b)) {
+      if (!exits) {
         // Both borders of a link are divided at the same places.
         for (const Index other : surface_.beyond(side))
           if (surface_.beginVertex(other) != surface_.endVertex(side)) found_.push_back(other / 3);

@@ -46,6 +46,12 @@ class MarginSurface {
     return {beyond_.data() + first_[side], static_cast<std::size_t>(first_[side + 1] - first_[side])};
   }
   [[nodiscard]] bool isBorder(Index side) const { return first_[side] == first_[side + 1]; }
+  /// Whether a link leads over this side, not only its own edge.
+  [[nodiscard]] bool hasLink(Index side) const {
+    for (const Index other : beyond(side))
+      if (beginVertex(other) != endVertex(side)) return true;
+    return false;
+  }
   [[nodiscard]] PlanVector begin(Index side) const { return places_[corners_.beginOf(side)]; }
   [[nodiscard]] PlanVector end(Index side) const { return begin(nextSide(side)); }
   [[nodiscard]] Index beginVertex(Index side) const { return corners_.beginOf(side); }
