@@ -288,11 +288,11 @@ void DropFinder::dropAcross(const Border& border, const Border& other, const std
   const LinearFunction beforeEnd = LinearFunction{} - behindBegin + (piece.end - piece.begin) * frame.length();
   const LinearFunction before = along(across) - frame.outwards();
   const LinearFunction belowHead = LinearFunction{} - frame.above() + height;
-  const std::vector<LinearFunction> way{
-      behindBegin, beforeEnd, frame.outwards(), before, frame.above() + -kinds.heightOf(levels_.step), belowHead};
+  const std::vector<LinearFunction> way = frame.widened(
+      {behindBegin, beforeEnd, frame.outwards(), before, frame.above() + -kinds.heightOf(levels_.step), belowHead});
   // No obstacle is lower than the height over the landing, except the landing's own surroundings.
-  const std::vector<LinearFunction> fall{
-      behindBegin, beforeEnd, before, LinearFunction{} - before, frame.above() - along(rise) + -height / 2, belowHead};
+  const std::vector<LinearFunction> fall = frame.widened({behindBegin, beforeEnd, before, LinearFunction{} - before,
+                                                          frame.above() - along(rise) + -height / 2, belowHead});
   const BorderEdge end = edgeOf(other);
   Box box;
   for (int axis = 0; axis < 3; ++axis) {

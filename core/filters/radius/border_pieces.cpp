@@ -97,7 +97,8 @@ std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
   const double hair = 2 * frame.margin();
   const double lowest = kinds.heightOf(kinds.stepLevel()) + hair, highest = kinds.heightOf(kinds.heightLevel()) - hair;
   const LinearFunction none{}, &above = frame.above(), &outwards = frame.outwards();
-  const std::vector<LinearFunction> beside{outwards, none - outwards, above + -lowest, none - above + highest};
+  const std::vector<LinearFunction> beside =
+      frame.widened({outwards, none - outwards, above + -lowest, none - above + highest});
   const Vec3 a = frame.at(0), b = frame.at(1);
   std::vector<EdgePiece> walls;
   kinds.visitNear({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z) + lowest},

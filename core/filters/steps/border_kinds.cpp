@@ -105,7 +105,8 @@ void BorderKinds::addWall(Index triangle) {
   if (!reachesUp || !reachesDown) return;
   const LinearFunction& above = frame_.above();
   if (const auto piece =
-          frame_.shadow(cornersOf(triangle), {above + -heightOf(step_), LinearFunction{} - above + heightOf(height_)}))
+          frame_.shadow(cornersOf(triangle),
+                        frame_.widened({above + -heightOf(step_), LinearFunction{} - above + heightOf(height_)})))
     walls_.push_back(*piece);
 }
 

@@ -24,18 +24,27 @@ Vec3 EdgeFrame::at(double along) const {
           begin_.z + along * (end_.z - begin_.z)};
 }
 
-// The method is that of Sutherland and Hodgman, "Reentrant polygon clipping" (1974).
+std::vector<LinearFunction> EdgeFrame::widened(std::vector<LinearFunction> halfSpaces) const {
+  for (LinearFunction& inside : halfSpaces) {
+    const double size = std::sqrt(inside.x * inside.x + inside.y * inside.y + inside.z * inside.z);
+    inside = inside + margin_ * std::max(size, std::numeric_limits<double>::min());
+  }
+  return halfSpaces;
+}
+
+// The method is that of Sutherland and Hodgman, "Reentrant polygon clipping" (1974). Most triangles are outside of one
+// half-space altogether.
 std::optional<EdgePiece> EdgeFrame::shadow(const std::array<Vec3, 3>& triangle,
                                            const std::vector<LinearFunction>& halfSpaces) const {
-  std::vector<Vec3> polygon, rest;
-  for (const Vec3& p : triangle) polygon.push_back(local(p));
+  const std::array<Vec3, 3> corners{local(triangle[0]), local(triangle[1]), local(triangle[2])};
+  for (const LinearFunction& inside : halfSpaces)
+    if (inside.at(corners[0]) < 0 && inside.at(corners[1]) < 0 && inside.at(corners[2]) < 0) return std::nullopt;
+  std::vector<Vec3> polygon(corners.begin(), corners.end()), rest;
   for (const LinearFunction& inside : halfSpaces) {
-    const double size = std::sqrt(inside.x * inside.x + inside.y * inside.y + inside.z * inside.z);
-    const LinearFunction widened = inside + margin_ * std::max(size, std::numeric_limits<double>::min());
     rest.clear();
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vec3 &p = polygon[i], &q = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-      const double atP = widened.at(p), atQ = widened.at(q);
+      const double atP = inside.at(p), atQ = inside.at(q);
       if (atP >= 0) rest.push_back(p);
       if ((atP >= 0) == (atQ >= 0)) continue;
       const double t = atP / (atP - atQ);

@@ -38,8 +38,10 @@ class EdgeFrame {
   /// The height over the edge, straight across it.
   [[nodiscard]] const LinearFunction& above() const { return above_; }
 
-  /// The piece of the edge along which a triangle is inside all half-spaces, which are widened by the margin. It is
-  /// closed and holds the exact piece. Empty where the triangle is in none of them.
+  /// Half-spaces that hold all places within the margin of those in them.
+  [[nodiscard]] std::vector<LinearFunction> widened(std::vector<LinearFunction> halfSpaces) const;
+  /// The piece of the edge along which a triangle is inside all of these widened half-spaces. It is closed and holds
+  /// the exact piece. Empty where the triangle is in none of them.
   [[nodiscard]] std::optional<EdgePiece> shadow(const std::array<Vec3, 3>& triangle,
                                                 const std::vector<LinearFunction>& halfSpaces) const;
 
