@@ -12,7 +12,7 @@ core="base exact mesh environment io assembly filters partitioning distributed p
 ui="base document view run level agents filters cells inspect path window"
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
   environment:environment edit:environment up_axis:environment io:io filter:filters filter_type:filters parameter:filters place_verdict:filters agent:pipeline agent_list:pipeline pipeline:pipeline run:pipeline
-  walkable_area:pipeline path:navigation corridor_map:navigation ground:navigation plan_areas:io inspect:inspect compare:compare report:report footfall:report version:base"
+  walkable_area:pipeline path:navigation corridor_map:navigation body_path:navigation ground:navigation plan_areas:io inspect:inspect compare:compare report:report footfall:report version:base"
 
 if grep -rnE '^ *#include *["<](core|ui|app)/' bindings; then
   echo "the bindings may use public headers only"

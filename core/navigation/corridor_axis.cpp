@@ -370,4 +370,19 @@ double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from
   return std::max(chord, p.height * std::fabs(primitive(p.to / p.height) - primitive(p.from / p.height)));
 }
 
+std::optional<FieldVector> narrowPlaceOf(const FieldFeature& a, const FieldFeature& b, FieldVector from,
+                                         FieldVector to) {
+  if (!a.isCorner() && !b.isCorner()) return std::nullopt;
+  FieldVector place = (a.place + b.place) * 0.5, along = to - from;
+  if (a.isCorner() != b.isCorner()) {
+    const FieldFeature &edge = a.isCorner() ? b : a, &corner = a.isCorner() ? a : b;
+    const double foot = dot(corner.place - edge.place, edge.along);
+    if (foot < 0 || foot > edge.length) return std::nullopt;
+    place = (corner.place + edge.place + edge.along * foot) * 0.5;
+    along = edge.along * (dot(edge.along, along) >= 0 ? 1 : -1);
+  }
+  if (dot(place - from, along) <= 0 || dot(to - place, along) <= 0) return std::nullopt;
+  return place;
+}
+
 }  // namespace footfall::detail

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/poll.hpp"
@@ -51,6 +52,11 @@ double areaBeside(const FieldFeature& feature, const FieldFeature& other, FieldV
 
 /// The length of a piece of axis between two features, where the pair is not Joined.
 double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to);
+
+/// The place between its ends at which a piece of axis is narrowest: halfway between two corners, or between a corner
+/// and its foot on an edge. Nothing where that is an end, or where both features are edges.
+std::optional<FieldVector> narrowPlaceOf(const FieldFeature& a, const FieldFeature& b, FieldVector from,
+                                         FieldVector to);
 
 /// Returns whether a piece of axis is a parabola: one of the features is an edge, and the other one a corner that is
 /// not an end of it.

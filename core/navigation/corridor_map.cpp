@@ -11,6 +11,7 @@
 
 #include "core/mesh/gap_bridges.hpp"
 #include "core/navigation/corridor_graph.hpp"
+#include "core/navigation/field_places.hpp"
 
 namespace footfall {
 using namespace detail;
@@ -35,7 +36,7 @@ class MapMaker {
     for (const std::uint32_t node : nodes) {
       numbers_[node] = static_cast<std::uint32_t>(map_.vertices.size());
       const AxisNode& n = axis_.nodes[node];
-      map_.vertices.push_back({onFace(n.face, n.place), 2 * n.distance, underFace(n.face)});
+      map_.vertices.push_back({places_.onFace(n.face, n.place), 2 * n.distance, places_.underFace(n.face)});
       hidden.push_back(graph.hidden[node]);
     }
     for (const CorridorChain& chain : graph.chains) addEdge(chain);
@@ -46,43 +47,6 @@ class MapMaker {
  private:
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
 
-  [[nodiscard]] Vec3 onFace(std::uint32_t face, FieldVector p) const {
-    const FieldSurface& surface = field_.surface();
-    const FieldVector a = surface.corner(face, 0), b = surface.corner(face, 1), c = surface.corner(face, 2);
-    const double area = cross(b - a, c - a);
-    const auto height = [&](int i) { return bridged_.vertices[bridged_.triangles[face][i]].z; };
-    const double u = cross(p - a, c - a) / area, v = cross(b - a, p - a) / area;
-    const double z = height(0) + u * (height(1) - height(0)) + v * (height(2) - height(0));
-    const double low = std::min({height(0), height(1), height(2)}), high = std::max({height(0), height(1), height(2)});
-    return {p.x + surface.origin.x, p.y + surface.origin.y, std::clamp(z, low, high)};
-  }
-
-  /// A triangle of the mesh itself.
-  [[nodiscard]] std::uint32_t underFace(std::uint32_t face) const {
-    for (const auto& link : bridged_.links) {
-      if (face < mesh_.triangles.size()) break;
-      if (link.toTriangle == face) return link.fromTriangle;
-      if (link.fromTriangle == face) return link.toTriangle;
-    }
-    if (face < mesh_.triangles.size()) return face;
-    for (const std::uint32_t other : field_.surface().topology.neighbours[face])
-      if (other < mesh_.triangles.size()) return other;
-    return 0;
-  }
-
-  [[nodiscard]] Vec3 border(std::uint32_t feature, FieldVector p) const {
-    const FieldFeature& f = field_.features()[feature];
-    const Triangle& triangle = bridged_.triangles[f.face];
-    const Vec3& begin = bridged_.vertices[triangle[f.side]];
-    if (f.isCorner()) return begin;
-    const Vec3& end = bridged_.vertices[triangle[(f.side + 1) % 3]];
-    const FieldVector q = f.nearestTo(p) + field_.surface().origin;
-    const double share = f.length > 0 ? std::clamp(dot(p - f.place, f.along) / f.length, 0.0, 1.0) : 0;
-    if (share == 0) return begin;
-    if (share == 1) return end;
-    return {q.x, q.y, begin.z + share * (end.z - begin.z)};
-  }
-
   void addEdge(const CorridorChain& chain) {
     const AxisNode &from = axis_.nodes[chain.from], &to = axis_.nodes[chain.to];
     const FieldFeature &left = field_.features()[chain.left], &right = field_.features()[chain.right];
@@ -90,8 +54,8 @@ class MapMaker {
     edge.from = numbers_[chain.from];
     edge.to = numbers_[chain.to];
     if (isParabola(left, right, pairOf(field_, chain.left, chain.right))) edge.shape = CorridorShape::Parabola;
-    edge.left = {border(chain.left, from.place), border(chain.left, to.place)};
-    edge.right = {border(chain.right, from.place), border(chain.right, to.place)};
+    edge.left = {places_.onBorder(chain.left, from.place), places_.onBorder(chain.left, to.place)};
+    edge.right = {places_.onBorder(chain.right, from.place), places_.onBorder(chain.right, to.place)};
     edge.length = chain.length;
     edge.area = chain.area;
     for (const std::uint32_t face : chain.faces)
@@ -99,54 +63,21 @@ class MapMaker {
     const bool isFirst = from.distance <= to.distance;
     edge.narrowest = map_.vertices[isFirst ? edge.from : edge.to].place;
     edge.width = 2 * std::min(from.distance, to.distance);
-    if (const auto place = narrowPlace(left, right, from.place, to.place)) {
+    if (const auto place = narrowPlaceOf(left, right, from.place, to.place)) {
       const double width = lengthOf(left.nearestTo(*place) - *place) + lengthOf(right.nearestTo(*place) - *place);
       if (width < edge.width) {
         edge.width = width;
-        edge.narrowest = onFace(faceUnder(chain, *place), *place);
+        edge.narrowest = places_.onFace(places_.faceAt(chain.faces, *place), *place);
       }
     }
     map_.edges.push_back(std::move(edge));
-  }
-
-  /// The narrow place between the ends of an edge: halfway between two corners, or between a corner and its foot on a
-  /// border.
-  static std::optional<FieldVector> narrowPlace(const FieldFeature& a, const FieldFeature& b, FieldVector from,
-                                                FieldVector to) {
-    if (!a.isCorner() && !b.isCorner()) return std::nullopt;
-    FieldVector place = (a.place + b.place) * 0.5, along = to - from;
-    if (a.isCorner() != b.isCorner()) {
-      const FieldFeature &edge = a.isCorner() ? b : a, &corner = a.isCorner() ? a : b;
-      const double foot = dot(corner.place - edge.place, edge.along);
-      if (foot < 0 || foot > edge.length) return std::nullopt;
-      place = (corner.place + edge.place + edge.along * foot) * 0.5;
-      along = edge.along * (dot(edge.along, along) >= 0 ? 1 : -1);
-    }
-    if (dot(place - from, along) <= 0 || dot(to - place, along) <= 0) return std::nullopt;
-    return place;
-  }
-
-  /// The face of a chain in which a place lies, or the one that it is least outside of.
-  [[nodiscard]] std::uint32_t faceUnder(const CorridorChain& chain, FieldVector p) const {
-    std::uint32_t best = chain.faces.front();
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t face : chain.faces) {
-      double outside = 0;
-      for (int i = 0; i < 3; ++i) {
-        const FieldVector a = field_.surface().corner(face, i), way = field_.surface().corner(face, i + 1) - a;
-        outside = std::max(outside, cross(p - a, way) / lengthOf(way));
-      }
-      if (outside >= least) continue;
-      least = outside;
-      best = face;
-    }
-    return best;
   }
 
   const NavigationMesh& mesh_;
   NavigationMesh bridged_;
   ClearanceField field_;
   CorridorAxis axis_;
+  FieldPlaces places_{mesh_, bridged_, field_};
   std::vector<std::uint32_t> numbers_;  ///< of each node, its vertex
   CorridorMap map_;
 };

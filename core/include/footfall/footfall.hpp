@@ -15,6 +15,7 @@
 
 #include "footfall/agent.hpp"
 #include "footfall/agent_list.hpp"
+#include "footfall/body_path.hpp"
 #include "footfall/compare.hpp"
 #include "footfall/corridor_map.hpp"
 #include "footfall/edit.hpp"

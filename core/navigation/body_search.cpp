@@ -1,0 +1,443 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/navigation/body_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <unordered_map>
+#include <utility>
+
+namespace footfall::detail {
+namespace {
+
+/// A length that is longer by this factor only, by rounding, may be as short.
+constexpr double kSlack = 1 + 0x1p-31;
+
+/// A gate of a way, and its place on the axis.
+struct AxisGate {
+  TautGate ends;
+  FieldVector place;
+};
+
+/// A way in the direction in which it is followed, without its first gates, and without its last ones.
+struct BodyStep {
+  std::uint32_t way = 0;
+  bool isForward = true;
+  std::size_t first = 0, last = 0;  ///< gates, in the direction
+};
+
+/// Gates of a disc, made from gates of the axis.
+class GateMaker {
+ public:
+  GateMaker(const CorridorNetwork& network, double radius) : network_(network), radius_(radius) {}
+
+  void add(const BodyStep& step, std::vector<AxisGate>& gates) const {
+    const CorridorWay& way = network_.ways()[step.way];
+    for (std::size_t i = step.first; i < step.last; ++i) {
+      const std::size_t at = step.isForward ? i : way.gateCount - 1 - i;
+      const CorridorGate& gate = network_.gates()[way.firstGate + at];
+      const int left = step.isForward ? 0 : 1, right = 1 - left;
+      gates.push_back({{endOf(gate, left), endOf(gate, right), gate.ends[left], gate.ends[right], false}, gate.place});
+    }
+  }
+
+ private:
+  [[nodiscard]] FieldVector endOf(const CorridorGate& gate, int side) const {
+    const double least = gate.isCorner[side] ? radius_ * polygonFactor() : radius_;
+    return gate.distance > least ? gate.border[side] + gate.away[side] * least : gate.place;
+  }
+
+  const CorridorNetwork& network_;
+  double radius_;
+};
+
+/// Returns whether a place lies between the two spokes of a gate and the straight line between its ends. Then it is in
+/// the empty disc about the gate's place, and a way from there may cross a spoke without crossing the line.
+bool isBetween(const AxisGate& gate, FieldVector p) {
+  const FieldVector corners[] = {gate.ends.left, gate.place, gate.ends.right};
+  const double turn = cross(corners[1] - corners[0], corners[2] - corners[0]), sign = turn < 0 ? -1 : 1;
+  for (int i = 0; i < 3; ++i)
+    if (sign * cross(corners[(i + 1) % 3] - corners[i], p - corners[i]) < 0) return false;
+  return turn != 0;
+}
+
+bool isInDisc(const AxisGate& gate, FieldVector p) {
+  return lengthOf(p - gate.place) <=
+         std::max(lengthOf(gate.ends.left - gate.place), lengthOf(gate.ends.right - gate.place));
+}
+
+/// The place at which a way reaches a gate first, and a length that no way to the gate is shorter than.
+struct Arrival {
+  FieldVector place;
+  double length = 0, least = 0;
+};
+
+Arrival arrivalAt(const TautFunnel& funnel, const AxisGate& gate) {
+  const FieldVector apex = funnel.apex.place, left = gate.ends.left, way = gate.ends.right - left;
+  if (gate.ends.isOpen) return {apex, funnel.apex.length, funnel.apex.length};
+  const auto shareAt = [&](const TautLimit& limit, double end) {
+    if (!limit.isSet) return end;
+    const FieldVector ray = limit.place - apex;
+    const double share = -cross(ray, left - apex) / cross(ray, way);
+    return share >= 0 && share <= 1 ? share : end;
+  };
+  const double square = dot(way, way), nearest = square > 0 ? dot(apex - left, way) / square : 0;
+  const double low = shareAt(funnel.left, 0), high = std::max(low, shareAt(funnel.right, 1));
+  const FieldVector place = left + way * std::clamp(nearest, low, high);
+  const double length = funnel.apex.lengthTo(place);
+  return {place, length, length};
+}
+
+/// A length that no way through a gate to a place is shorter than.
+double leastThrough(const TautFunnel& funnel, const AxisGate& gate, FieldVector to) {
+  const FieldVector apex = funnel.apex.place, way = gate.ends.left - gate.ends.right;
+  if (gate.ends.isOpen) return funnel.apex.lengthTo(to);
+  const double square = dot(way, way), before = cross(way, to - gate.ends.right);
+  if (square > 0 && before > 0) to = to - leftOf(way) * (2 * before / square);
+  double least = std::numeric_limits<double>::infinity();
+  for (const bool isLeft : {true, false}) {
+    const TautLimit& limit = isLeft ? funnel.left : funnel.right;
+    if (!limit.isSet || (isLeft ? 1 : -1) * cross(limit.place - apex, to - apex) <= 0) continue;
+    least = std::min(least, funnel.apex.lengthTo(limit.place) + lengthOf(to - limit.place));
+  }
+  return std::isfinite(least) ? least : funnel.apex.lengthTo(to);
+}
+
+class BodySearch {
+ public:
+  BodySearch(const CorridorNetwork& network, const BodyEnd& from, const BodyEnd& to, double radius, double distance,
+             Poll poll)
+      : network_(network),
+        gates_(network, radius),
+        from_(from),
+        to_(to),
+        least_(distance - 8 * network.field().margin()),
+        poll_(poll) {
+    for (const std::uint32_t end : endsOf(to.foot.way))
+      for (std::uint32_t v = end; network.wayInward(v) != kNone; v = network.otherEnd(network.wayInward(v), v))
+        outward_.push_back(network.wayInward(v));
+  }
+
+  std::optional<BodyWay> find() {
+    const auto widest = widestNeck(network_, from_, to_);
+    if (!widest || widest->distance < least_) return std::nullopt;
+    if (from_.foot.way == to_.foot.way) startAtTarget();
+    for (const std::uint32_t vertex : endsOf(from_.foot.way)) start(vertex);
+    while (!queue_.empty()) {
+      if (++expanded_ % 64 == 0) poll_();
+      const auto [least, number] = queue_.top();
+      queue_.pop();
+      if (labels_[number].isAtTarget) {
+        if (labels_[number].isPulled) return wayOf(number);
+        pullToTarget(number);
+      } else if (settle(number)) {
+        expand(number);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = CorridorFoot::kNone;
+
+  /// An order of ways up to a vertex, or to the target.
+  struct Label {
+    std::uint32_t vertex = kNone, before = kNone;
+    bool isAtTarget = false, isPulled = false;
+    std::size_t firstStep = 0, lastStep = 0;  ///< of `steps_`, since the label before
+    std::size_t gateCount = 0;                ///< from the start
+    std::size_t nearGates = 0;                ///< gates next to the start, whose discs have it
+    TautFunnel funnel;
+    AxisGate last;     ///< gate
+    double least = 0;  ///< no way to the target with this order is shorter
+  };
+
+  [[nodiscard]] std::vector<std::uint32_t> endsOf(std::uint32_t way) const {
+    const CorridorWay& w = network_.ways()[way];
+    if (w.from == w.to) return {w.from};
+    return {w.from, w.to};
+  }
+  /// Numbers of gates of a way before and behind a place on it, in a direction.
+  [[nodiscard]] std::size_t gatesBefore(std::uint32_t number, bool isForward, const CorridorFoot& foot,
+                                        bool isWithin) const {
+    const CorridorWay& way = network_.ways()[number];
+    const double place = way.along(foot.place);
+    std::size_t count = 0;
+    for (; count < way.gateCount; ++count) {
+      const std::size_t at = isForward ? count : way.gateCount - 1 - count;
+      const double gate = way.along(network_.gates()[way.firstGate + at].place);
+      if (isForward ? gate > place : gate < place) break;
+      if (!isWithin && gate == place) break;
+    }
+    return count;
+  }
+
+  /// The gates of a label, all or since the one before, with those left out at the start.
+  void addGates(const Label& label, std::size_t firstGate, std::vector<AxisGate>& gates) const {
+    const std::size_t begin = gates.size();
+    for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], gates);
+    for (std::size_t i = begin; i < gates.size() && firstGate + (i - begin) < label.nearGates; ++i)
+      gates[i].ends.isOpen = isBetween(gates[i], from_.place);
+  }
+  [[nodiscard]] std::size_t firstGateOf(const Label& label) const {
+    return label.before == kNone ? 0 : labels_[label.before].gateCount;
+  }
+
+  /// Pulls the way of the label before through its own gates. Returns whether the shortest way may begin so.
+  bool pull(Label& label) {
+    const std::size_t first = firstGateOf(label);
+    const bool isNear = label.before == kNone || labels_[label.before].nearGates == first;
+    std::vector<AxisGate>& window = window_;
+    window.clear();
+    label.nearGates = label.before == kNone ? 0 : labels_[label.before].nearGates;
+    addGates(label, first, window);
+    for (std::size_t i = 0; isNear && i < window.size() && isInDisc(window[i], from_.place); ++i) {
+      ++label.nearGates;
+      window[i].ends.isOpen = isBetween(window[i], from_.place);
+    }
+    label.gateCount = first + window.size();
+    if (!window.empty())
+      label.last = window.back();
+    else if (label.before != kNone)
+      label.last = labels_[label.before].last;
+    label.funnel = label.before == kNone ? TautFunnel{{from_.place, 0, 0, TautApex::kNoEnd}, {}, {}}
+                                         : labels_[label.before].funnel;
+    std::size_t windowBegin = first;
+    const auto gateAt = [&](std::size_t number) {
+      if (number < windowBegin) windowBegin = gatesFrom(number, label);
+      return window_[number - windowBegin].ends;
+    };
+    return pullThrough(label.funnel, first, label.gateCount, gateAt,
+                       [this](const TautApex& apex) { return isShortest(apex); });
+  }
+
+  /// Puts all gates of the labels from a gate on into the window. Returns the number of the first one.
+  std::size_t gatesFrom(std::size_t number, const Label& last) {
+    std::vector<const Label*> labels{&last};
+    while (firstGateOf(*labels.back()) > number) labels.push_back(&labels_[labels.back()->before]);
+    window_.clear();
+    const std::size_t first = firstGateOf(*labels.back());
+    for (auto l = labels.rbegin(); l != labels.rend(); ++l) addGates(**l, firstGateOf(**l), window_);
+    return first;
+  }
+
+  /// Returns whether no other order has reached a bend on a shorter way.
+  bool isShortest(const TautApex& apex) {
+    if (apex.end == TautApex::kNoEnd) return true;
+    const auto known = bends_.try_emplace(apex.end, apex.length).first;
+    if (apex.length > known->second * kSlack) return false;
+    known->second = std::min(known->second, apex.length);
+    return true;
+  }
+
+  void push(Label&& label) {
+    if (!pull(label)) return;
+    const double before = label.before == kNone ? 0 : labels_[label.before].least;
+    label.least = before;
+    if (label.gateCount > 0 && !label.isAtTarget)
+      label.least = std::max(before, leastThrough(label.funnel, label.last, to_.place));
+    queue_.emplace(label.least, static_cast<std::uint32_t>(labels_.size()));
+    labels_.push_back(std::move(label));
+  }
+
+  void start(std::uint32_t vertex) {
+    const std::uint32_t way = from_.foot.way;
+    if (network_.neckBetween(way, from_.foot, network_.footAt(way, vertex)).distance < least_) return;
+    const bool isForward = vertex == network_.ways()[way].to;
+    Label label;
+    label.firstStep = steps_.size();
+    steps_.push_back({way, isForward, gatesBefore(way, isForward, from_.foot, true), network_.ways()[way].gateCount});
+    goOn(std::move(label), way, vertex);
+  }
+
+  /// Both ends are on one way.
+  void startAtTarget() {
+    const std::uint32_t way = from_.foot.way;
+    if (network_.neckBetween(way, from_.foot, to_.foot).distance < least_) return;
+    const bool isForward = network_.ways()[way].along(from_.foot.place) <= network_.ways()[way].along(to_.foot.place);
+    Label label;
+    label.isAtTarget = true;
+    label.firstStep = steps_.size();
+    const std::size_t first = gatesBefore(way, isForward, from_.foot, true);
+    steps_.push_back({way, isForward, first, std::max(first, gatesBefore(way, isForward, to_.foot, false))});
+    label.lastStep = steps_.size();
+    push(std::move(label));
+  }
+
+  /// Returns whether a way may lead on from a vertex to which another way led.
+  [[nodiscard]] bool leadsOn(std::uint32_t way, std::uint32_t vertex, std::uint32_t last) const {
+    if (way == last || network_.ways()[way].least < least_) return false;
+    const std::uint32_t next = network_.otherEnd(way, vertex);
+    return network_.wayInward(next) != way || std::ranges::find(outward_, way) != outward_.end();
+  }
+
+  /// Goes on where only one way leads on, and pushes the label. `way` leads to `vertex`.
+  void goOn(Label&& label, std::uint32_t way, std::uint32_t vertex) {
+    for (std::size_t count = 0; count < network_.ways().size(); ++count) {
+      std::uint32_t next = kNone;
+      int ways = 0;
+      for (const std::uint32_t other : network_.waysAt(vertex)) {
+        if (other == to_.foot.way) ways = 2;
+        if (!leadsOn(other, vertex, way)) continue;
+        ++ways;
+        next = other;
+      }
+      if (ways == 0) return;
+      if (ways > 1) break;
+      steps_.push_back({next, network_.ways()[next].from == vertex, 0, network_.ways()[next].gateCount});
+      way = next;
+      vertex = network_.otherEnd(way, vertex);
+    }
+    label.lastStep = steps_.size();
+    if (hasPassed(label.before, vertex)) return;
+    label.vertex = vertex;
+    push(std::move(label));
+  }
+
+  /// Returns whether a label is worth going on from.
+  bool settle(std::uint32_t number) {
+    const Label& label = labels_[number];
+    const TautApex& apex = label.funnel.apex;
+    if (apex.end != TautApex::kNoEnd && apex.length > bends_.at(apex.end) * kSlack) return false;
+    const Arrival own = arrivalAt(label.funnel, label.last);
+    const FieldVector left = label.last.ends.left, right = label.last.ends.right;
+    std::vector<Arrival>& arrivals = arrivals_[label.vertex];
+    for (const Arrival& other : arrivals) {
+      const double across = std::max(lengthOf(left - other.place), lengthOf(right - other.place));
+      if (own.least > (other.length + across) * kSlack && !label.last.ends.isOpen) return false;
+    }
+    if (!label.last.ends.isOpen) arrivals.push_back(own);
+    return true;
+  }
+
+  [[nodiscard]] bool hasPassed(std::uint32_t number, std::uint32_t vertex) const {
+    for (; number != kNone; number = labels_[number].before)
+      if (labels_[number].vertex == vertex) return true;
+    return false;
+  }
+
+  void expand(std::uint32_t number) {
+    const std::uint32_t vertex = labels_[number].vertex, last = steps_[labels_[number].lastStep - 1].way;
+    for (const std::uint32_t way : network_.waysAt(vertex)) {
+      const bool isForward = network_.ways()[way].from == vertex;
+      if (way == to_.foot.way && network_.neckBetween(way, network_.footAt(way, vertex), to_.foot).distance >= least_) {
+        Label label;
+        label.before = number;
+        label.isAtTarget = true;
+        label.firstStep = steps_.size();
+        steps_.push_back({way, isForward, 0, gatesBefore(way, isForward, to_.foot, false)});
+        label.lastStep = steps_.size();
+        push(std::move(label));
+      }
+      if (!leadsOn(way, vertex, last)) continue;
+      Label label;
+      label.before = number;
+      label.firstStep = steps_.size();
+      steps_.push_back({way, isForward, 0, network_.ways()[way].gateCount});
+      goOn(std::move(label), way, network_.otherEnd(way, vertex));
+    }
+  }
+
+  /// The taut way to the target, through all gates of a label but those next to the target that it need not cross.
+  std::vector<TautApex> pulled(std::uint32_t number) {
+    gatesFrom(0, labels_[number]);
+    for (auto gate = window_.rbegin(); gate != window_.rend() && isInDisc(*gate, to_.place); ++gate)
+      gate->ends.isOpen = gate->ends.isOpen || isBetween(*gate, to_.place);
+    window_.push_back({{to_.place, to_.place, TautApex::kNoEnd, TautApex::kNoEnd, false}, to_.place});
+    TautFunnel funnel{{from_.place, 0, 0, TautApex::kNoEnd}, {}, {}};
+    std::vector<TautApex> passed{funnel.apex};
+    pullThrough(
+        funnel, 0, window_.size(), [this](std::size_t gate) { return window_[gate].ends; },
+        [&passed](const TautApex& apex) {
+          passed.push_back(apex);
+          return true;
+        });
+    if (lengthOf(to_.place - passed.back().place) > 0 || passed.size() == 1)
+      passed.push_back({to_.place, passed.back().lengthTo(to_.place), window_.size(), TautApex::kNoEnd});
+    return passed;
+  }
+
+  void pullToTarget(std::uint32_t number) {
+    Label& label = labels_[number];
+    label.isPulled = true;
+    label.least = std::max(label.least, pulled(number).back().length);
+    queue_.emplace(label.least, number);
+  }
+
+  /// The way again, from its start.
+  [[nodiscard]] BodyWay wayOf(std::uint32_t number) {
+    BodyWay way;
+    for (const TautApex& bend : pulled(number)) way.corners.push_back(bend.place);
+    way.expanded = expanded_;
+    const auto pass = [&](std::uint32_t w, const CorridorFoot& a, const CorridorFoot& b) {
+      const CorridorNeck neck = network_.neckBetween(w, a, b);
+      if (neck.distance < way.neck.distance) way.neck = neck;
+    };
+    for (std::uint32_t n = number; n != kNone; n = labels_[n].before) {
+      const Label& label = labels_[n];
+      for (std::size_t s = label.lastStep; s-- > label.firstStep;) {
+        const std::uint32_t w = steps_[s].way;
+        const CorridorWay& corridor = network_.ways()[w];
+        const bool isFirst = label.before == kNone && s == label.firstStep;
+        const bool isLast = label.isAtTarget && s + 1 == label.lastStep;
+        const std::uint32_t begin = steps_[s].isForward ? corridor.from : corridor.to;
+        const std::uint32_t end = steps_[s].isForward ? corridor.to : corridor.from;
+        pass(w, isFirst ? from_.foot : network_.footAt(w, begin), isLast ? to_.foot : network_.footAt(w, end));
+      }
+    }
+    return way;
+  }
+
+  const CorridorNetwork& network_;
+  GateMaker gates_;
+  BodyEnd from_, to_;
+  double least_;
+  Poll poll_;
+  std::vector<std::uint32_t> outward_;  ///< ways that lead to the target from the cycles of its part
+  std::vector<BodyStep> steps_;
+  std::vector<Label> labels_;
+  std::vector<AxisGate> window_;
+  using Entry = std::pair<double, std::uint32_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
+  std::unordered_map<std::uint32_t, double> bends_;  ///< of each end of a gate, the shortest way to it
+  std::unordered_map<std::uint32_t, std::vector<Arrival>> arrivals_;
+  std::size_t expanded_ = 0;
+};
+
+}  // namespace
+
+double polygonFactor() {
+  static const double factor = 1 / std::cos(CorridorNetwork::kTurn / 2);
+  return factor;
+}
+
+std::optional<BodyWay> findBodyWay(const CorridorNetwork& network, const BodyEnd& from, const BodyEnd& to,
+                                   double radius, double distance, Poll poll) {
+  return BodySearch(network, from, to, radius, distance, poll).find();
+}
+
+std::optional<CorridorNeck> widestNeck(const CorridorNetwork& network, const BodyEnd& from, const BodyEnd& to) {
+  std::optional<CorridorNeck> best;
+  if (from.foot.way == to.foot.way) best = network.neckBetween(from.foot.way, from.foot, to.foot);
+  const CorridorWay &first = network.ways()[from.foot.way], &last = network.ways()[to.foot.way];
+  for (const std::uint32_t a : {first.from, first.to})
+    for (const std::uint32_t b : {last.from, last.to}) {
+      const auto route = network.widestRoute(a, b);
+      if (!route) continue;
+      CorridorNeck neck = network.neckBetween(from.foot.way, from.foot, network.footAt(from.foot.way, a));
+      const CorridorNeck end = network.neckBetween(to.foot.way, network.footAt(to.foot.way, b), to.foot);
+      if (end.distance < neck.distance) neck = end;
+      if (*route != CorridorFoot::kNone) {
+        const CorridorWay& way = network.ways()[*route];
+        const CorridorNeck middle =
+            network.neckBetween(*route, network.footAt(*route, way.from), network.footAt(*route, way.to));
+        if (middle.distance < neck.distance) neck = middle;
+      }
+      if (!best || neck.distance > best->distance) best = neck;
+    }
+  return best;
+}
+
+}  // namespace footfall::detail

@@ -1,0 +1,58 @@
+// The search for the shortest way of a disc through the corridor map.
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Every way of a disc of radius r that stays in the area, whose places are r or more from the border, can be pushed to
+// the axis without leaving the area: going away from the border it only gets freer. So it passes the ways of the
+// network in some order, and on them, gates: from a place on the axis to its nearest border on the left and on the
+// right, less r on both sides. Among all ways with the same order, the shortest is the taut one
+// (core/navigation/taut_string.hpp). Where the border is a corner, gates turn round it by at most a tenth between each
+// other, and end on a circle that is larger than r by 1 / cos(1/20): so the taut way goes round a polygon outside the
+// circle of radius r. A gate is taken as the straight line between its ends, which lies in the empty disc about its
+// place on the axis, so that this changes no way's length.
+//
+// The search grows orders, and takes first what may be part of the shortest way (A*): up to the last place where every
+// way with this order bends, and from there through the last gate to the target, which is mirrored where it lies before
+// the gate. An order is dropped only where the shortest way cannot begin with it:
+// - its taut way bends at a place that another order has reached on a shorter way;
+// - it comes to a vertex v, and another order has come there on a way that is shorter even with the straight line to
+//   any place of this order's gate: both are in the empty disc about v, of which D(v) - r is free, and it is convex;
+// - it passes a vertex twice (the disc again), or goes into a part of the axis without cycles that has no target.
+// Lengths are sums of rounded numbers; an order that is longer by less than 2^-31 of the length stays.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/poll.hpp"
+#include "core/navigation/corridor_network.hpp"
+#include "core/navigation/taut_string.hpp"
+
+namespace footfall::detail {
+
+/// A place and where its way to the axis ends.
+struct BodyEnd {
+  FieldVector place;
+  CorridorFoot foot;
+};
+
+struct BodyWay {
+  std::vector<FieldVector> corners;  ///< from the start to the target
+  CorridorNeck neck;                 ///< the narrowest place that it passes
+  std::size_t expanded = 0;          ///< orders that were looked at
+};
+
+/// Circles around corners are polygons, whose corners are at this multiple of the radius.
+double polygonFactor();
+
+/// The shortest way for a disc that passes no place narrower than `distance`, its radius or more, to the border on
+/// either side. Nothing where there is none.
+std::optional<BodyWay> findBodyWay(const CorridorNetwork& network, const BodyEnd& from, const BodyEnd& to,
+                                   double radius, double distance, Poll poll);
+
+/// The narrowest place on the way whose narrowest place is widest. Nothing where the network does not lead from one to
+/// the other.
+std::optional<CorridorNeck> widestNeck(const CorridorNetwork& network, const BodyEnd& from, const BodyEnd& to);
+
+}  // namespace footfall::detail

@@ -1,0 +1,221 @@
+// Paths for a body on the corridor map: known ways around corners, and against runs behind RadiusFilter.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <string>
+
+#include "footfall/body_path.hpp"
+#include "footfall/errors.hpp"
+#include "footfall/ground.hpp"
+#include "footfall/pipeline.hpp"
+#include "footfall/run.hpp"
+#include "tests/support/run_filters.hpp"
+#include "tests/support/soup.hpp"
+#include "tests/support/soup_generators.hpp"
+#include "tests/unit/environment_files.hpp"
+
+using namespace footfall;
+using namespace footfall::detail;
+using namespace footfall::test;
+
+namespace {
+
+using SharedMesh = std::shared_ptr<const NavigationMesh>;
+
+constexpr double kAnyWidth = std::numeric_limits<double>::infinity();
+constexpr double kTolerance = 0.01;  ///< of RadiusFilter
+
+const std::string kBefore = "\nStepFilter 0.4 0.3";
+
+SharedMesh meshOf(const std::shared_ptr<const Environment>& environment, double radius = 0) {
+  std::string text = minimalPipeline(0.5, 60) + kBefore;
+  if (radius > 0) text += "\nRadiusFilter " + QString::number(radius, 'g', 17).toStdString();
+  return std::make_shared<NavigationMesh>(navigationMesh(runFilters(environment, text)));
+}
+SharedMesh meshOf(const Soup& soup, double radius = 0) { return meshOf(soup.environment(), radius); }
+
+/// A room with a wall without thickness that reaches into it.
+Soup roomWithAWall() { return Soup().floor(0, 0, 10, 6, 0).wall(5, 0, 5, 2, 0, 2); }
+
+/// Two doors of 0.8 and of 2, the narrow one on the straight way.
+Soup roomWithTwoDoors() {
+  return Soup().floor(0, 0, 10, 10, 0).wall(5, 0, 5, 1.6, 0, 2).wall(5, 2.4, 5, 7, 0, 2).wall(5, 9, 5, 10, 0, 2);
+}
+
+bool isNear(double a, double b, double share) { return std::fabs(a - b) <= share * std::max(1.0, std::fabs(b)); }
+
+/// How many of the pairs had a way, and what is wrong with one.
+struct Tally {
+  int ways = 0, none = 0, between = 0;
+  double longest = 1;  ///< the largest share by which a way behind the filter was longer
+  QString error;
+};
+
+/// Ways between places that RadiusFilter left, behind the filter and on the map.
+void compare(const SharedMesh& before, const SharedMesh& after, double radius, int pairs, std::uint64_t seed,
+             Tally& tally) {
+  if (after->triangles.empty()) return;
+  const PathFinder behind(after);
+  const BodyPathFinder finder(before);
+  const auto places = randomPlaces(behind, 2 * static_cast<std::size_t>(pairs), seed);
+  const double reach = 0.01;
+  for (int i = 0; i < pairs; ++i) {
+    const Vec3 from = places[2 * i].position, to = places[(2 * i) + 1].position;
+    const PathResult filtered = behind.find(from, to, reach);
+    const BodyPath path = finder.find(from, to, {.radius = radius}, reach);
+    const BodyPath wider = finder.find(from, to, {.radius = radius * (1 + 2 * kTolerance)}, reach);
+    const auto wrong = [&](const char* what) {
+      tally.error = QStringLiteral(
+                        "%1: from %2 %3 %4 to %5 %6 %7, %8 behind the filter, %9 on the map, %10 with more radius; %11")
+                        .arg(what)
+                        .arg(from.x, 0, 'g', 17)
+                        .arg(from.y, 0, 'g', 17)
+                        .arg(from.z)
+                        .arg(to.x, 0, 'g', 17)
+                        .arg(to.y, 0, 'g', 17)
+                        .arg(to.z)
+                        .arg(filtered.planLength, 0, 'g', 12)
+                        .arg(path.path.planLength, 0, 'g', 12)
+                        .arg(wider.path.planLength, 0, 'g', 12)
+                        .arg(QString::fromStdString(formatFailure(path, UpAxis::Z)));
+    };
+    if (filtered.status == PathStatus::StartNotWalkable || filtered.status == PathStatus::TargetNotWalkable) continue;
+    if (filtered.reached() && !path.reached()) return wrong("no way on the map");
+    if (wider.reached() && !filtered.reached()) return wrong("no way behind the filter");
+    if (!filtered.reached()) {
+      ++(path.reached() ? tally.between : tally.none);
+      continue;
+    }
+    ++tally.ways;
+    const double length = filtered.planLength, slack = 1e-6 + (0.002 * length);
+    if (path.path.planLength > length + slack) return wrong("longer than behind the filter");
+    if (wider.reached() && length > wider.path.planLength + slack) return wrong("shorter than it may be");
+    if (wider.reached() && wider.path.planLength < 1.01 * path.path.planLength) {
+      tally.longest = std::max(tally.longest, length / std::max(path.path.planLength, radius));
+      if (length > 1.01 * path.path.planLength + slack) return wrong("lengths differ");
+    }
+    if (path.narrowest && path.narrowest->width < 2 * radius - 1e-9) return wrong("a narrow passage");
+  }
+}
+
+}  // namespace
+
+class TestBodyPath : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void goesRoundAWall() {
+    const BodyPathFinder finder(meshOf(roomWithAWall()));
+    for (const double radius : {0.1, 0.25, 0.5}) {
+      const BodyPath path = finder.find({4, 1, 0}, {6, 1, 0}, {.radius = radius});
+      QVERIFY(path.reached());
+      // Two tangents from a place that is the root of 2 away from the wall's end, and an arc.
+      const double tangent = std::sqrt(2 - (radius * radius));
+      const double arc = radius * (std::numbers::pi / 2 + 2 * std::asin(radius / std::numbers::sqrt2));
+      QVERIFY2(isNear(path.path.planLength, 2 * tangent + arc, 1e-3),
+               qPrintable(QString::number(path.path.planLength)));
+      QVERIFY(path.path.planLength >= 2 * tangent + arc - 1e-9);
+      for (const Vec3& p : path.path.points) QVERIFY(std::hypot(p.x - 5, p.y - 2) >= radius - 1e-9);
+      QVERIFY(path.narrowest && path.narrowest->width > 2 * radius);
+      QCOMPARE(path.path.points.size(), path.path.triangles.size() + 1);
+      // The same the other way round.
+      const BodyPath back = finder.find({6, 1, 0}, {4, 1, 0}, {.radius = radius});
+      QVERIFY(isNear(back.path.planLength, path.path.planLength, 1e-9));
+    }
+  }
+
+  void goesStraightWhereItCan() {
+    const BodyPathFinder finder(meshOf(roomWithAWall()));
+    const BodyPath path = finder.find({1, 3, 0}, {9, 3, 0}, {.radius = 0.6});
+    QVERIFY(path.reached());
+    QVERIFY(isNear(path.path.planLength, 8, 1e-12));
+    QVERIFY(path.path.bends.empty());
+    const BodyPath nowhere = finder.find({1, 3, 0}, {1, 3, 0}, {.radius = 0.6});
+    QVERIFY(nowhere.reached());
+    QCOMPARE(nowhere.path.planLength, 0.0);
+  }
+
+  void saysWhatIsTooNarrow() {
+    const SharedMesh mesh = meshOf(Soup().floor(0, 0, 4, 4, 0).floor(4, 1.5, 6, 2.5, 0).floor(6, 0, 10, 4, 0));
+    const BodyPathFinder finder(mesh);
+    QVERIFY(finder.find({1, 1, 0}, {9, 3, 0}, {.radius = 0.5}).reached());  // exactly as wide as the passage
+    const BodyPath path = finder.find({1, 1, 0}, {9, 3, 0}, {.radius = 0.6});
+    QVERIFY(path.status == BodyPathStatus::TooNarrow);
+    QVERIFY(path.narrowest);
+    QVERIFY(isNear(path.narrowest->width, 1, 1e-12));
+    QVERIFY(isNear(path.lacking, 0.2, 1e-12));
+    QVERIFY(path.narrowest->place.x >= 4 && path.narrowest->place.x <= 6);
+    QVERIFY(formatFailure(path, UpAxis::Z).find("1 wide at ") != std::string::npos);
+    const auto json = QJsonDocument::fromJson(QByteArray::fromStdString(formatPathJson(*mesh, path))).object();
+    QCOMPARE(json["status"].toString(), QStringLiteral("too_narrow"));
+    QCOMPARE(json["narrowest"].toObject()["width"].toDouble(), path.narrowest->width);
+
+    const BodyPath start = finder.find({0.2, 1, 0}, {9, 3, 0}, {.radius = 0.5});
+    QVERIFY(start.status == BodyPathStatus::StartTooNear);
+    QVERIFY(isNear(start.lacking, 0.3, 1e-12));
+    QVERIFY(finder.find({1, 1, 0}, {9.8, 3, 0}, {.radius = 0.5}).status == BodyPathStatus::TargetTooNear);
+    QVERIFY(finder.find({1, 1, 0}, {20, 3, 0}, {.radius = 0.5}).status == BodyPathStatus::NoPath);
+  }
+
+  void prefersWidth() {
+    const BodyPathFinder finder(meshOf(roomWithTwoDoors()));
+    const Vec3 from{2, 2, 0}, to{8, 2, 0};
+    const auto widthFor = [&](const BodyPathOptions& options) {
+      const BodyPath path = finder.find(from, to, options);
+      return path.reached() ? path.narrowest->width : -1;
+    };
+    QVERIFY(isNear(widthFor({.radius = 0.3}), 0.8, 1e-9));
+    QVERIFY(isNear(widthFor({.radius = 0.3, .preferredWidth = 0.7}), 0.8, 1e-9));
+    QVERIFY(isNear(widthFor({.radius = 0.3, .preferredWidth = 1.5}), 2, 1e-9));
+    QVERIFY(isNear(widthFor({.radius = 0.3, .preferredWidth = kAnyWidth}), 2, 1e-9));
+    QVERIFY(isNear(widthFor({.radius = 0.5}), 2, 1e-9));
+    QVERIFY(widthFor({.radius = 1.1}) < 0);
+  }
+
+  void takesTheShorterSide() {
+    // A pillar that is nearer to one side: the axis is shorter on the other one.
+    const BodyPathFinder finder(meshOf(Soup().floor(0, 0, 20, 20, 0).box({9, 4, -1}, {11, 12, 2})));
+    const BodyPath path = finder.find({5, 7, 0}, {15, 7, 0}, {.radius = 0.5});
+    QVERIFY(path.reached());
+    for (const Vec3& p : path.path.points) QVERIFY(p.y < 8);
+  }
+
+  void refusesWhatIsNoBody() {
+    const BodyPathFinder finder(meshOf(roomWithAWall()));
+    for (const double radius : {0.0, -1.0, kAnyWidth, std::nan("")})
+      QVERIFY_THROWS_EXCEPTION(InputError, (void)finder.find({1, 3, 0}, {9, 3, 0}, {.radius = radius}));
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)finder.find({1, 3, 0}, {9, 3, 0}, {.radius = 1, .preferredWidth = -1}));
+    QVERIFY_THROWS_EXCEPTION(InputError, (void)finder.find({std::nan(""), 3, 0}, {9, 3, 0}, {.radius = 1}));
+    QVERIFY(BodyPathFinder(std::make_shared<NavigationMesh>()).find({}, {}, {.radius = 1}).status ==
+            BodyPathStatus::NoPath);
+  }
+
+  void isAsBehindTheFilterOnRandomBuildings() {
+    Tally tally;
+    std::mt19937 random(20261127);
+    std::uniform_int_distribution<int> number(0, 63), partCount(4, 14);
+    for (int i = 0; i < 40; ++i) {
+      std::vector<PartNumbers> parts(static_cast<std::size_t>(partCount(random)));
+      for (PartNumbers& part : parts)
+        for (int& n : part) n = number(random);
+      const auto environment = buildingOf(parts).environment();
+      const double radius = 0.05 + (0.02 * (i % 10));
+      compare(meshOf(environment), meshOf(environment, radius), radius, 25, static_cast<std::uint64_t>(i), tally);
+      QVERIFY2(tally.error.isEmpty(),
+               qPrintable(QStringLiteral("building %1, radius %2: %3").arg(i).arg(radius).arg(tally.error)));
+    }
+    qInfo("%d ways, %d pairs without, %d between, longer by %.4f at most", tally.ways, tally.none, tally.between,
+          tally.longest - 1);
+    QVERIFY(tally.ways > 300 && tally.none > 50);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestBodyPath)
+#include "test_body_path.moc"
