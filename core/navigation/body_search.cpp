@@ -68,6 +68,8 @@ bool isInDisc(const AxisGate& gate, FieldVector p) {
          std::max(lengthOf(gate.ends.left - gate.place), lengthOf(gate.ends.right - gate.place));
 }
 
+bool isCrossedAt(const AxisGate& gate, FieldVector apex) { return gate.ends.isOpen || isPassed(gate.ends, apex); }
+
 /// The place at which a way reaches a gate first, and a length that no way to the gate is shorter than.
 struct Arrival {
   FieldVector place;
@@ -76,7 +78,7 @@ struct Arrival {
 
 Arrival arrivalAt(const TautFunnel& funnel, const AxisGate& gate) {
   const FieldVector apex = funnel.apex.place, left = gate.ends.left, way = gate.ends.right - left;
-  if (gate.ends.isOpen) return {apex, funnel.apex.length, funnel.apex.length};
+  if (isCrossedAt(gate, apex)) return {apex, funnel.apex.length, 0};
   const auto shareAt = [&](const TautLimit& limit, double end) {
     if (!limit.isSet) return end;
     const FieldVector ray = limit.place - apex;
@@ -93,7 +95,7 @@ Arrival arrivalAt(const TautFunnel& funnel, const AxisGate& gate) {
 /// A length that no way through a gate to a place is shorter than.
 double leastThrough(const TautFunnel& funnel, const AxisGate& gate, FieldVector to) {
   const FieldVector apex = funnel.apex.place, way = gate.ends.left - gate.ends.right;
-  if (gate.ends.isOpen) return funnel.apex.lengthTo(to);
+  if (isCrossedAt(gate, apex)) return funnel.apex.lengthTo(to);
   const double square = dot(way, way), before = cross(way, to - gate.ends.right);
   if (square > 0 && before > 0) to = to - leftOf(way) * (2 * before / square);
   double least = std::numeric_limits<double>::infinity();
@@ -236,7 +238,8 @@ class BodySearch {
     if (!pull(label)) return;
     const double before = label.before == kNone ? 0 : labels_[label.before].least;
     label.least = before;
-    if (label.gateCount > 0 && !label.isAtTarget)
+    // A target in the disc of a gate may lie before the gate, and need not cross it.
+    if (label.gateCount > 0 && !label.isAtTarget && !isInDisc(label.last, to_.place))
       label.least = std::max(before, leastThrough(label.funnel, label.last, to_.place));
     queue_.emplace(label.least, static_cast<std::uint32_t>(labels_.size()));
     labels_.push_back(std::move(label));
@@ -306,9 +309,9 @@ class BodySearch {
     std::vector<Arrival>& arrivals = arrivals_[label.vertex];
     for (const Arrival& other : arrivals) {
       const double across = std::max(lengthOf(left - other.place), lengthOf(right - other.place));
-      if (own.least > (other.length + across) * kSlack && !label.last.ends.isOpen) return false;
+      if (own.least > (other.length + across) * kSlack) return false;
     }
-    if (!label.last.ends.isOpen) arrivals.push_back(own);
+    arrivals.push_back(own);
     return true;
   }
 

@@ -53,6 +53,7 @@ CorridorNetwork::CorridorNetwork(const NavigationMesh& mesh, Poll poll)
     waysAt_[ways_[w].from].push_back(w);
     if (ways_[w].to != ways_[w].from) waysAt_[ways_[w].to].push_back(w);
   }
+  findSides();
   numberEnds();
   poll();
   findInward();
@@ -105,10 +106,9 @@ void CorridorNetwork::addGates(CorridorWay& way) {
   places.push_back(to);
   way.firstGate = gates_.size();
   way.gateCount = places.size();
-  double turn = 0;
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  for (const FieldVector& place : places) {
     CorridorGate gate;
-    gate.place = places[i];
+    gate.place = place;
     gate.distance = std::numeric_limits<double>::infinity();
     for (const int side : {0, 1}) {
       gate.border[side] = field_.features()[way.features[side]].nearestTo(gate.place);
@@ -118,19 +118,55 @@ void CorridorNetwork::addGates(CorridorWay& way) {
       if (distance > 0) gate.away[side] = free * (1 / distance);
       gate.distance = std::min(gate.distance, distance);
     }
-    if (i > 0) {
-      const CorridorGate& before = gates_.back();
-      turn += cross(gate.place - before.place, gate.border[0] - gate.border[1] + before.border[0] - before.border[1]);
-    }
     gates_.push_back(gate);
   }
-  if (turn >= 0) return;
+}
+
+void CorridorNetwork::turnRound(CorridorWay& way) {
   std::swap(way.features[0], way.features[1]);
-  for (std::size_t i = way.firstGate; i < gates_.size(); ++i) {
-    std::swap(gates_[i].border[0], gates_[i].border[1]);
-    std::swap(gates_[i].away[0], gates_[i].away[1]);
-    std::swap(gates_[i].isCorner[0], gates_[i].isCorner[1]);
+  for (std::size_t i = 0; i < way.gateCount; ++i) {
+    CorridorGate& gate = gates_[way.firstGate + i];
+    std::swap(gate.border[0], gate.border[1]);
+    std::swap(gate.away[0], gate.away[1]);
+    std::swap(gate.isCorner[0], gate.isCorner[1]);
   }
+}
+
+void CorridorNetwork::findSides() {
+  std::vector<char> isKnown(ways_.size(), 0);
+  std::vector<std::uint32_t> known;
+  for (std::uint32_t w = 0; w < ways_.size(); ++w) {
+    const std::span<const CorridorGate> gates = gatesOf(ways_[w]);
+    double length = 0, turn = 0, most = 0;
+    for (std::size_t i = 1; i < gates.size(); ++i) {
+      const FieldVector step = gates[i].place - gates[i - 1].place,
+                        across =
+                            gates[i].border[0] - gates[i].border[1] + gates[i - 1].border[0] - gates[i - 1].border[1];
+      length += lengthOf(step);
+      turn += cross(step, across);
+      most += lengthOf(step) * lengthOf(across);
+    }
+    if (turn < 0) turnRound(ways_[w]);
+    if (length < 0x1p-20 * field_.surface().scale || std::fabs(turn) < most / 2) continue;
+    isKnown[w] = 1;
+    known.push_back(w);
+  }
+  for (std::size_t i = 0; i < known.size(); ++i)
+    for (const bool isForward : {true, false}) {
+      const CorridorWay& way = ways_[known[i]];
+      const std::uint32_t vertex = isForward ? way.to : way.from;
+      for (const std::uint32_t w : waysAt_[vertex]) {
+        if (isKnown[w] != 0 || ways_[w].from == ways_[w].to) continue;
+        CorridorWay& next = ways_[w];
+        const int shared = next.features[0] == way.features[0] || next.features[0] == way.features[1] ? 0 : 1;
+        if (next.features[shared] != way.features[0] && next.features[shared] != way.features[1]) continue;
+        // Who comes to the vertex on one way and leaves it on the other has the feature on the same hand.
+        const bool isLeft = (next.features[shared] == way.features[0]) == isForward;
+        if (isLeft != ((shared == 0) == (next.from == vertex))) turnRound(next);
+        isKnown[w] = 1;
+        known.push_back(w);
+      }
+    }
 }
 
 void CorridorNetwork::numberEnds() {

@@ -106,6 +106,10 @@ class CorridorNetwork {
   [[nodiscard]] std::optional<CorridorFoot> wayNear(std::uint32_t face, FieldVector p) const;
   void addWay(const CorridorChain& chain, std::uint32_t from, std::uint32_t to);
   void addGates(CorridorWay& way);
+  void turnRound(CorridorWay& way);
+  /// Puts the features of ways on their sides. A very short way, whose direction is not known in doubles, has them as
+  /// the ways next to it do.
+  void findSides();
   void numberEnds();
   void shareEnd(std::uint32_t feature, std::size_t gate, int side,
                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& known, std::uint32_t& next);
