@@ -63,6 +63,19 @@ bool isBetween(const AxisGate& gate, FieldVector p) {
   return turn != 0;
 }
 
+/// Gates follow each other: an end that roundings have put behind the gate before is the end of that one.
+void keepAhead(TautGate& gate, const TautGate& before) {
+  const FieldVector way = before.left - before.right;
+  if (cross(way, gate.left - before.right) > 0) {
+    gate.left = before.left;
+    gate.leftEnd = before.leftEnd;
+  }
+  if (cross(way, gate.right - before.right) > 0) {
+    gate.right = before.right;
+    gate.rightEnd = before.rightEnd;
+  }
+}
+
 bool isInDisc(const AxisGate& gate, FieldVector p) {
   return lengthOf(p - gate.place) <=
          std::max(lengthOf(gate.ends.left - gate.place), lengthOf(gate.ends.right - gate.place));
@@ -180,6 +193,9 @@ class BodySearch {
   void addGates(const Label& label, std::size_t firstGate, std::vector<AxisGate>& gates) const {
     const std::size_t begin = gates.size();
     for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], gates);
+    for (std::size_t i = begin; i < gates.size(); ++i)
+      if (i > begin || label.before != kNone)
+        keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends);
     for (std::size_t i = begin; i < gates.size() && firstGate + (i - begin) < label.nearGates; ++i)
       gates[i].ends.isOpen = isBetween(gates[i], from_.place);
   }
