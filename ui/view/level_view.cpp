@@ -80,7 +80,6 @@ void LevelView::bindMouse() {
   setMouseBinding(Qt::NoModifier, Qt::MiddleButton, CAMERA, TRANSLATE);
   setMouseBinding(Qt::ShiftModifier, Qt::LeftButton, CAMERA, TRANSLATE);
   setMouseBinding(Qt::ControlModifier, Qt::LeftButton, CAMERA, ZOOM);
-  setMouseBinding(Qt::NoModifier, Qt::LeftButton, RAP_FROM_PIXEL, true);
   camera()->frame()->setZoomSensitivity(1.0);
   camera()->frame()->setSpinningSensitivity(1e9);  // the camera stops with the mouse
 }
@@ -266,7 +265,10 @@ void LevelView::mouseReleaseEvent(QMouseEvent* event) {
 void LevelView::mouseDoubleClickEvent(QMouseEvent* event) {
   // The first click may have moved the camera, so that another surface is under the mouse now; a tool has handled it as
   // a click.
-  if (!tool() && !scene_.showsCells()) QGLViewer::mouseDoubleClickEvent(event);
+  if (tool() || scene_.showsCells() || event->button() != Qt::LeftButton || event->modifiers() != Qt::NoModifier)
+    return;
+  // libQGLViewer's own binding reads the depth of the frame buffer, which has none of this frame.
+  cameraController_.turnAbout(event->pos());
 }
 
 void LevelView::leaveEvent(QEvent* event) {

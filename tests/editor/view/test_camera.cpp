@@ -72,6 +72,25 @@ class TestCamera : public QObject {
     QVERIFY(distance(camera().pose().pivot, before.pivot) < 1e-9);
   }
 
+  // The picture stays, in parallel projection as well, whose scale is the distance from the pivot.
+  void aDoubleClickMakesThePlaceThePivot() {
+    LevelView& view = window_->view();
+    for (const bool parallel : {false, true}) {
+      camera().setOrthographic(parallel);
+      const Vec3 place{3, 3, 0}, other{-3, 2, 0};
+      const QPointF at = view.project(place).value(), beside = view.project(other).value();
+      QTest::mouseDClick(&view, Qt::LeftButton, {}, at.toPoint());
+      const CameraPose pose = camera().pose();
+      QVERIFY2(distance(pose.pivot, place) < 0.1, parallel ? "parallel" : "perspective");
+      QVERIFY(distance(pose.pivot, pose.position) > 1);
+      QVERIFY((view.project(place).value() - at).manhattanLength() < 0.1);
+      QVERIFY((view.project(other).value() - beside).manhattanLength() < 0.1);
+      // Where nothing is, the pivot stays.
+      QTest::mouseDClick(&view, Qt::LeftButton, {}, QPoint(2, view.height() - 2));
+      QVERIFY(distance(camera().pose().pivot, pose.pivot) < 1e-9);
+    }
+  }
+
   void looksAtAPlace() {
     LevelView& view = window_->view();
     const CameraPose before = camera().pose();

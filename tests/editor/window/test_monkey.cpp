@@ -78,6 +78,7 @@ class Monkey {
         wheel(window_.view(), placeIn(window_.view()));
         break;
       case 4:
+        last_ = QStringLiteral("double click");
         QTest::mouseDClick(&window_.view(), Qt::LeftButton, {}, placeIn(window_.view()));
         break;
       case 5:
@@ -93,6 +94,7 @@ class Monkey {
         widget();
         break;
       default:
+        last_ = QStringLiteral("undo and redo");
         for (int i = below(4); i >= 0; --i)
           below(3) == 0 ? window_.document().undoStack()->redo() : window_.document().undoStack()->undo();
     }
@@ -260,6 +262,22 @@ bool isSane(const CameraPose& pose) {
          isFinite(pose.pivot.x + pose.pivot.y + pose.pivot.z) && std::ranges::all_of(pose.orientation, isFinite);
 }
 
+/// The camera's numbers, for the message of a failure.
+QString poseText(const CameraPose& pose) {
+  return QStringLiteral("eye %1 %2 %3, pivot %4 %5 %6, turn %7 %8 %9 %10%11")
+      .arg(pose.position.x)
+      .arg(pose.position.y)
+      .arg(pose.position.z)
+      .arg(pose.pivot.x)
+      .arg(pose.pivot.y)
+      .arg(pose.pivot.z)
+      .arg(pose.orientation[0])
+      .arg(pose.orientation[1])
+      .arg(pose.orientation[2])
+      .arg(pose.orientation[3])
+      .arg(pose.orthographic ? QStringLiteral(", parallel") : QString());
+}
+
 /// The filters after random edits may take long on a large level. The list is what a failure is repeated with.
 bool waitForRuns(EditorWindow& window, int milliseconds) {
   if (QTest::qWaitFor([&] { return window.idle(); }, milliseconds)) return true;
@@ -335,19 +353,22 @@ void TestMonkey::randomEventsBreakNothing() {
   clock.start();
   constexpr int kCheckedEvery = 100;
   int done = 0, checks = 0;
+  const CameraController& camera = window.view().cameraController();
   for (int i = 0; seconds > 0 ? clock.elapsed() < 1000LL * seconds : i < events; ++i) {
+    const QString before = poseText(camera.pose());
     monkey.step();
     done = i + 1;
-    QVERIFY2(isSane(window.view().cameraController().pose()),
-             qPrintable(QStringLiteral("event %1, the camera after %2").arg(i).arg(monkey.last())));
+    QVERIFY2(isSane(camera.pose()), qPrintable(QStringLiteral("event %1, the camera after %2: %3; before: %4")
+                                                   .arg(i)
+                                                   .arg(monkey.last(), poseText(camera.pose()), before)));
     if (i == (seconds > 0 ? kCheckedEvery : events / 4)) megabytesEarly = residentMegabytes();
     if (i % kCheckedEvery != 0) continue;
     monkey.closeDialogs();
-    const QString before = monkey.last();
+    const QString last = monkey.last();
     if (!waitUntilIdle(window)) continue;  // a large level
     ++checks;
     const QString row = lyingRow(window);
-    QVERIFY2(row.isEmpty(), qPrintable(QStringLiteral("event %1, after %2: %3").arg(i).arg(before, row)));
+    QVERIFY2(row.isEmpty(), qPrintable(QStringLiteral("event %1, after %2: %3").arg(i).arg(last, row)));
   }
   watchdog.stop();
   monkey.closeDialogs();

@@ -159,6 +159,19 @@ void CameraController::lookBy(double sideways, double up) {
   step();
 }
 
+// The picture stays. The scale of a parallel projection is the distance from the pivot, so the eye moves along the
+// view.
+void CameraController::turnAbout(const QPoint& place) {
+  endGlide();
+  const std::optional<Vec3> seen = seen_(sightAt(camera(), place));
+  if (!seen || !isFinite(toVec(*seen))) return;
+  const Vec pivot = toVec(*seen);
+  const Vec ahead = camera().viewDirection();
+  if (orthographic()) camera().setPosition(camera().position() + ahead * ((pivot - camera().pivotPoint()) * ahead));
+  camera().frame()->setPivotPoint(pivot);
+  step();
+}
+
 // Moves the camera together with the pivot.
 void CameraController::shift(const Vec& way) {
   if (!isFinite(way)) return;

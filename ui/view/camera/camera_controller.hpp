@@ -68,6 +68,8 @@ class CameraController : public QObject {
   void zoomAt(double factor, const QPointF& place);
   /// Turns about the pivot, in degrees: to the right, and upwards (never over the top).
   void turnBy(double sideways, double up);
+  /// Makes the surface at a place of the view the pivot, where there is one; the picture stays.
+  void turnAbout(const QPoint& place);
   /// Turns the camera about the eye, in degrees.
   void lookBy(double sideways, double up);
   /// Moves the picture by pixels.
