@@ -2,6 +2,8 @@
 #include "ui/filters/parameter_notes.hpp"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "footfall/filter.hpp"
 #include "ui/base/core_text.hpp"
@@ -10,6 +12,24 @@
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {
+namespace {
+
+/// The measures that need no look at any triangle.
+LevelMeasures measureSize(const Environment& environment) {
+  LevelMeasures measures;
+  measures.metresPerUnit = environment.metresPerUnit;
+  measures.scaleGuessed = environment.scaleGuessed;
+  if (environment.vertices.empty()) return measures;
+  Vec3 low = environment.vertices.front(), high = low;
+  for (const Vec3& p : environment.vertices) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
+  return measures;
+}
+
+}  // namespace
 
 ParameterNotes::ParameterNotes(Document& document, LevelFile& file, MessageBar& messages, QObject* parent)
     : QObject(parent), document_(document), file_(file), messages_(messages) {
@@ -22,6 +42,7 @@ ParameterNotes::ParameterNotes(Document& document, LevelFile& file, MessageBar& 
 void ParameterNotes::measure() {
   measures_.reset();
   told_.clear();
+  showTooSmall();
   work_.start(
       *this, [level = file_.environment()](RunContext& context) { return measureLevel(*level, context); },
       [this](const LevelMeasures& measures) {
@@ -33,21 +54,46 @@ void ParameterNotes::measure() {
       [this](const std::exception&) { emit settled(); });  // there are no hints without memory
 }
 
+// The run of such a level may take long, and nothing of its result is of use.
+void ParameterNotes::showTooSmall() {
+  isEarly_ = false;
+  const LevelMeasures measures = measureSize(*file_.environment());
+  const double longest = std::max({measures.size.x, measures.size.y, measures.size.z});
+  const Pipeline pipeline = document_.pipeline();
+  for (const ParameterNote& note : checkParameters(measures, pipeline)) {
+    const bool isOnScale = note.step && note.mend && !note.mend->value;
+    if (!isOnScale || longest > pipeline.steps[*note.step].values[0]) continue;
+    isEarly_ = tell(note, pipeline);
+    return;
+  }
+}
+
 void ParameterNotes::show() {
   if (!measures_) return;
   const Pipeline pipeline = document_.pipeline();
+  const std::vector<ParameterNote> notes = checkParameters(*measures_, pipeline);
+  // The measures may say more than the size did, such as another scale.
+  if (std::exchange(isEarly_, false)) {
+    messages_.finish(MessageSubject::Filters);
+    told_.clear();
+  }
   bool isFine = true;
-  for (const ParameterNote& note : checkParameters(*measures_, pipeline)) {
+  for (const ParameterNote& note : notes) {
     if (!note.step) continue;
     isFine = false;
-    const QString text = QStringLiteral("%1: %2").arg(labelOf(pipeline.steps[*note.step]), coreText(note.text));
-    if (text == told_ || !messages_.text().isEmpty()) continue;
-    told_ = text;
-    offer(text, note, pipeline);
-    messages_.setSubject(MessageSubject::Filters);
-    return;
+    if (tell(note, pipeline)) return;
   }
   if (isFine) told_.clear();
+}
+
+/// Returns whether the note was shown: it is not the last one again, and no message stands.
+bool ParameterNotes::tell(const ParameterNote& note, const Pipeline& pipeline) {
+  const QString text = QStringLiteral("%1: %2").arg(labelOf(pipeline.steps[*note.step]), coreText(note.text));
+  if (text == told_ || !messages_.text().isEmpty()) return false;
+  told_ = text;
+  offer(text, note, pipeline);
+  messages_.setSubject(MessageSubject::Filters);
+  return true;
 }
 
 // One click does what the note advises.

@@ -16,7 +16,8 @@ namespace footfall::ui {
 
 /// Measures each level that is opened in the background, and shows a hint where the filters do not suit it, then and
 /// after edits; each hint once, and none where another message stands. Where the advice is a number, a button of the
-/// hint sets it. A scale that is a guess is asked about elsewhere.
+/// hint sets it. A scale that is a guess is asked about elsewhere. The hint on a level that is smaller than its agents
+/// is shown at once when it is opened, before anything is measured or run.
 class ParameterNotes : public QObject {
   Q_OBJECT
 
@@ -33,7 +34,9 @@ class ParameterNotes : public QObject {
 
  private:
   void measure();
+  void showTooSmall();
   void show();
+  bool tell(const ParameterNote& note, const Pipeline& pipeline);
   void offer(const QString& text, const ParameterNote& note, const Pipeline& pipeline);
   void setValue(int id, std::size_t value, double to);
 
@@ -42,7 +45,8 @@ class ParameterNotes : public QObject {
   MessageBar& messages_;
   std::optional<LevelMeasures> measures_;  ///< measures of the level; empty until it is measured
   QString told_;
-  LatestWork work_;  // declared last: its thread ends before the other members are destroyed
+  bool isEarly_ = false;  ///< told_ is the hint of showTooSmall()
+  LatestWork work_;       // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

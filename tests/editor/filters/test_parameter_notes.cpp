@@ -86,6 +86,24 @@ class TestParameterNotes : public QObject {
     QVERIFY(waitUntilIdle(window));
   }
 
+  // A run of such a level may take long, so the hint does not wait for it, nor for the measures.
+  void aLevelSmallerThanItsAgentsIsToldWhenItIsOpened() {
+    const QTemporaryDir folder;
+    EditorWindow window;
+    QVERIFY(showWindow(window));
+    QString atOnce;
+    connect(&window.file(), &LevelFile::opened, this, [&] { atOnce = partOf<MessageBar>(window).text(); });
+    ImportOptions import;
+    import.up = UpAxis::Z;
+    import.metresPerUnit = 0.01;
+    window.openWith(writeFile(folder, "floor.obj", floorObj()),
+                    parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 200\n", "test"), import);
+    QVERIFY(waitUntilIdle(window));
+    QVERIFY2(atOnce.contains("the whole level is no larger than 0.08 m"), qPrintable(atOnce));
+    QTest::qWait(200);
+    QCOMPARE(partOf<MessageBar>(window).text(), atOnce);
+  }
+
   void oneClickSetsTheScale() {
     const QTemporaryDir folder;
     EditorWindow window;
