@@ -2,7 +2,8 @@
 // something, rows that show the run that is shown, and the result is still right. The longest stretch in which the
 // event loop could not answer is reported, with its cause; only a freeze fails, as drawing in software on a busy
 // machine says little about a user's. FOOTFALL_MONKEY_EVENTS, FOOTFALL_MONKEY_SECONDS, FOOTFALL_MONKEY_SEED and
-// FOOTFALL_MONKEY_LEVEL choose other amounts, other events and another level.
+// FOOTFALL_MONKEY_LEVEL choose other amounts, other events and another level. QTEST_FUNCTION_TIMEOUT, in ms, must allow
+// for more than five minutes.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/resource.h>
 #include <unistd.h>
