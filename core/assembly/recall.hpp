@@ -21,6 +21,8 @@ struct Recall {
   bool keep = false;  ///< true: keep the data that later runs can copy
   /// The given state is not needed after the filter, which may take the state's mesh and change it.
   bool isLast = false;
+  /// False: no later filter reads triangles that are no floors, and the result may leave them out.
+  bool needsObstacles = true;
   /// Work that can be done on the mesh while a filter adds layers to it and changes nothing else. Called once, with a
   /// state that has the mesh, and its edges. May be null.
   std::function<void(const WalkableState&, const Adjacency&)> meanwhile = nullptr;

@@ -95,7 +95,10 @@ struct FilterTraits {
   /// kNoText, or, for a step that a VerticalClearanceFilter must run before, the message where none does: "%1 needs %2
   /// before it", with both filters.
   Pattern (*clearanceNeed)(StepValues values);
-  bool keepsDrops;  ///< the filter keeps a drop's edge and its landing, or removes both
+  /// True when the step's result depends on triangles that are no floors.
+  bool (*readsObstacles)(StepValues values);
+  bool leavesOutObstacles;  ///< the result has no obstacles where no later step reads them
+  bool keepsDrops;          ///< the filter keeps a drop's edge and its landing, or removes both
   /// How far the step may move what it does not remove.
   Reach (*reach)(StepValues values);
   TileUse (*tileUse)(StepValues values);

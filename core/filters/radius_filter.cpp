@@ -169,9 +169,13 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   const auto earlier =
       EarlierResult::relate(before != nullptr ? before->simplified : nullptr, *simplified.state->kernel);
   CoveredRecall covered;
-  if (earlier) covered = {&*earlier, &before->covered, {}};
-  const GenerationSoup soup = makeGenerationSoup(*simplified.state, *product, context, outcome.fallbacks,
-                                                 recall.keep || earlier ? &covered : nullptr);
+  if (earlier && !before->covered.empty()) covered = {&*earlier, &before->covered, {}};
+  // The kinds of borders depend on the obstacles at them.
+  const bool hasObstacles = recall.needsObstacles || radius != ledges;
+  const GenerationSoup soup = hasObstacles
+                                  ? makeGenerationSoup(*simplified.state, *product, context, outcome.fallbacks,
+                                                       recall.keep || covered.earlier != nullptr ? &covered : nullptr)
+                                  : makeSoupOfFloors(*simplified.state, *product);
   std::vector<Index> faces;
   auto state = std::make_shared<WalkableState>(*startGeneration(*simplified.state, soup, context, &faces));
   const auto floors = floorsOf(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/pipeline/block_structure.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/filters/filter_traits.hpp"
@@ -18,6 +19,11 @@ Text placeOfStep(const Pipeline& pipeline, std::size_t step) {
 
 bool needsClearance(const PipelineStep& step) {
   return *step.filter->traits->clearanceNeed(step.values).english != '\0';
+}
+
+bool needsObstacles(const std::vector<const PipelineStep*>& steps, std::size_t count) {
+  return std::any_of(steps.begin() + static_cast<std::ptrdiff_t>(count), steps.end(),
+                     [](const PipelineStep* step) { return step->filter->traits->readsObstacles(step->values); });
 }
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "footfall/pipeline.hpp"
 
@@ -17,6 +18,9 @@ struct StructureError {
 
 /// Returns whether the step uses the height of agents from a Vertical clearance filter that must run before it.
 bool needsClearance(const PipelineStep& step);
+
+/// Returns whether a step behind the first `count` depends on triangles that are no floors.
+bool needsObstacles(const std::vector<const PipelineStep*>& steps, std::size_t count);
 
 /// The first enabled step that breaks the rules of parallel blocks: a Collapse without a strategy, a strategy without a
 /// Collapse, a strategy inside a block, or a global filter inside a block. Then the first one whose values contradict

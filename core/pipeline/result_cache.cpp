@@ -9,6 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/filters/filter_traits.hpp"
+#include "core/pipeline/block_structure.hpp"
 #include "footfall/edit.hpp"
 #include "footfall/filter.hpp"
 
@@ -157,6 +159,10 @@ std::string prefixKey(const std::vector<const PipelineStep*>& steps, std::size_t
     }
     key += '\n';
   }
+  const auto end = steps.begin() + static_cast<std::ptrdiff_t>(count);
+  const bool canLeaveOut = std::any_of(
+      steps.begin(), end, [](const PipelineStep* step) { return step->filter->traits->leavesOutObstacles; });
+  if (canLeaveOut && needsObstacles(steps, count)) key += "with obstacles\n";
   return key;
 }
 

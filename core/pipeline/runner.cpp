@@ -255,6 +255,7 @@ class Run {
   FilterOutcome apply(const PipelineStep& step, std::size_t index) {
     try {
       Recall known = recall(index + 1);
+      known.needsObstacles = needsObstacles(steps_, index + 1);
       if (makesProduct_ && index + 1 == steps_.size() && environment_->triangles.size() < kSettledAfter)
         known.meanwhile = [this](const WalkableState& state, const Adjacency& topology) {
           settled_ = settleProduct(state, topology, knownPlaces(), context_);

@@ -31,6 +31,8 @@ FilterDescriptor describeDuplication() {
       .parameters = {kPlainParameter},
       .makesBorders = always,
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = always,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach =
           [](StepValues values) {
@@ -88,6 +90,8 @@ FilterDescriptor describeDegeneracy() {
       .parameters = {},
       .makesBorders = always,
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = always,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach = movesNothing,
       .tileUse = tilesAlways<TileUse::InCells>,
@@ -118,6 +122,8 @@ FilterDescriptor describeSimplification() {
       .parameters = {kPlainParameter, kPlainParameter},
       .makesBorders = [](StepValues values) { return values[0] != 0; },
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = never,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach =
           [](StepValues values) {
@@ -178,6 +184,8 @@ FilterDescriptor describeLayerSubdivision() {
       .parameters = {},
       .makesBorders = never,
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = never,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach = movesNothing,
       .tileUse = tilesAlways<TileUse::OverTiles>,
@@ -210,6 +218,8 @@ FilterDescriptor describeRounding() {
       .parameters = {kPlainParameter},
       .makesBorders = always,
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = never,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach = movesNothing,
       .tileUse = tilesAlways<TileUse::Never>,

@@ -59,6 +59,8 @@ FilterTraits traitsOfBlocks(bool (*makesBorders)(StepValues)) {
       .parameters = {},
       .makesBorders = makesBorders,
       .clearanceNeed = needsNoClearance,
+      .readsObstacles = always,
+      .leavesOutObstacles = false,
       .keepsDrops = false,
       .reach = movesNothing,
       .tileUse = tilesAlways<TileUse::LeftOut>,

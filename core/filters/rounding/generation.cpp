@@ -34,6 +34,12 @@ class SoupBuilder {
     return std::move(result_);
   }
 
+  GenerationSoup buildFloors(const NavigationMesh& product) {
+    addProduct(product);
+    addObstacleEdges();
+    return std::move(result_);
+  }
+
   GenerationSoup buildLinked(std::shared_ptr<const NavigationMesh> product, RunContext& context,
                              ExactFallbacks& fallbacks) {
     roundWalkable(context);  // for what it meets
@@ -52,6 +58,12 @@ class SoupBuilder {
   VertexNumber addVertex(const Vec3& place) {
     result_.vertices.push_back(place);
     return static_cast<VertexNumber>(result_.vertices.size()) - 1;
+  }
+  /// The number in the soup of a vertex of the source.
+  VertexNumber numberOf(Index vertex) {
+    if (numbers_.empty()) numbers_.resize(source_.vertices.size(), kNone);
+    if (numbers_[vertex] == kNone) numbers_[vertex] = addVertex(source_.vertices[vertex]);
+    return numbers_[vertex];
   }
   void addTriangle(const Triangle& t, Index face, bool walkable) {
     result_.triangles.push_back(t);
@@ -161,12 +173,6 @@ class SoupBuilder {
 
   void addSourceTriangles(RunContext& context, ExactFallbacks& fallbacks) {
     CoveredParts divided = findCoveredParts(context, fallbacks);
-    constexpr auto kNone = static_cast<VertexNumber>(-1);
-    std::vector<VertexNumber> numbers(source_.vertices.size(), kNone);  // in the soup
-    const auto vertexOf = [&](Index v) {
-      if (numbers[v] == kNone) numbers[v] = addVertex(source_.vertices[v]);
-      return numbers[v];
-    };
     for (Index t = 0; t < static_cast<Index>(source_.triangles.size()); ++t) {
       if (t % kPolled == 0) context.checkCancelled();
       if (state_.removed[t] != 0) continue;
@@ -186,10 +192,14 @@ class SoupBuilder {
       const bool covered = cuts != nullptr && (cuts->removed || isDivided(t));
       if (floor && !covered && state_.mesh) continue;  // in the mesh
       const auto& f = source_.triangles[t];
-      addTriangle({vertexOf(f[0]), vertexOf(f[1]), vertexOf(f[2])}, t, floor && !covered);
+      addTriangle({numberOf(f[0]), numberOf(f[1]), numberOf(f[2])}, t, floor && !covered);
     }
     if (covered_ != nullptr) covered_->found = std::move(divided);
-    for (const auto& [a, b] : source_.obstacleEdges) result_.obstacleEdges.push_back({vertexOf(a), vertexOf(b)});
+    addObstacleEdges();
+  }
+
+  void addObstacleEdges() {
+    for (const auto& [a, b] : source_.obstacleEdges) result_.obstacleEdges.push_back({numberOf(a), numberOf(b)});
   }
 
   void addDropped(RunContext& context) {
@@ -200,8 +210,11 @@ class SoupBuilder {
                   t.face, false);
   }
 
+  static constexpr auto kNone = static_cast<VertexNumber>(-1);
+
   const WalkableState& state_;
   const SourceMesh& source_;
+  std::vector<VertexNumber> numbers_;  ///< in the soup, of the source's vertices
   CoveredRecall* covered_;
   GenerationSoup result_;
 };
@@ -219,11 +232,17 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMe
   return SoupBuilder(state, covered).build(&product, context, fallbacks);
 }
 
+GenerationSoup makeSoupOfFloors(const WalkableState& state, const NavigationMesh& product) {
+  return SoupBuilder(state).buildFloors(product);
+}
+
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
                          std::vector<Index>* faces) {
   std::vector<std::uint32_t> order;
   SoupView view(soup.vertices, soup.triangles, soup.inputTriangles);
   view.obstacleEdges = soup.obstacleEdges;
+  // The scale is the same with obstacles and without.
+  view.grid.top = earlier.kernel->mesh().grid.top;
   auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(view, earlier.environment->bothSides, &order, context));
   if (faces != nullptr) {
     faces->resize(order.size());

@@ -53,6 +53,9 @@ GenerationSoup makeGenerationSoup(const StatePtr& state, RunContext& context, Ex
 GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMesh& product, RunContext& context,
                                   ExactFallbacks& fallbacks, CoveredRecall* covered = nullptr);
 
+/// The same without obstacles: the product alone, and the edges on which obstacles stand.
+GenerationSoup makeSoupOfFloors(const WalkableState& state, const NavigationMesh& product);
+
 /// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected. `faces` (may
 /// be null) receives for each triangle of the soup its number.
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
