@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/assembly/mesh_assembly.hpp"
+#include "core/base/background_release.hpp"
 #include "core/base/parallel.hpp"
 #include "core/exact/plan_places.hpp"
 #include "core/filters/face_cutter.hpp"
@@ -92,18 +93,39 @@ std::shared_ptr<const FaceCuts> wholeCuts() {
   return cuts;
 }
 
+/// The objects that the filter makes besides its result. They are freed together, and in the background where the run
+/// ends with an exception: that takes longer than cancelling a run may take.
+struct RadiusWork {
+  using Polygons = std::vector<std::span<const Index>>;
+
+  StatePtr simplified;
+  std::shared_ptr<const NavigationMesh> product;
+  CoveredRecall covered;
+  GenerationSoup soup;
+  std::vector<Index> faces;
+  std::shared_ptr<WalkableState> state;
+  std::shared_ptr<const WalkableMesh> floors;
+  std::vector<Margin> margins;
+  KernelWithMargins known;
+  MarginsOfFaces touched;
+  std::vector<Polygons> polygons;  ///< that are cut out of each face of `touched`
+  std::vector<CutFaces::Found> found;
+  std::shared_ptr<RadiusMemory> memory;
+};
+
 /// Gives the state its cuts and its mesh.
-void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vector<Margin>& margins,
-            const CutFaces* before, CutFaces* keep, RunContext& context, ExactFallbacks& fallbacks) {
+void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, ExactFallbacks& fallbacks) {
+  WalkableState& state = *work.state;
   const PlanKernel& kernel = *state.kernel;
   const SourceMesh& source = kernel.mesh();
-  const MarginsOfFaces touched = groupByFaces(margins, state.walkable.size(), context);
-  using Polygons = std::vector<std::span<const Index>>;
-  std::vector<Polygons> polygons(touched.faces.size());
-  std::vector<CutFaces::Found> found(touched.faces.size());
+  const MarginsOfFaces& touched = work.touched = groupByFaces(work.margins, state.walkable.size(), context);
+  std::vector<RadiusWork::Polygons>& polygons = work.polygons;
+  std::vector<CutFaces::Found>& found = work.found;
+  polygons.resize(touched.faces.size());
+  found.resize(touched.faces.size());
   const std::shared_ptr<const FaceCuts> coveredWhole = wholeCuts();
   PerThread<std::unique_ptr<FaceCutter>> cutters;
-  PerThread<MarginChoice> choices([&] { return MarginChoice(margins); });
+  PerThread<MarginChoice> choices([&] { return MarginChoice(work.margins); });
   parallelRanges(found.size(), kFacesPerTask, [&](const auto& range) {
     auto& cutter = cutters.local();
     if (!cutter) cutter = std::make_unique<FaceCutter>(kernel, context);
@@ -121,8 +143,8 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
         continue;
       }
       for (const Index margin : chosen.needed)
-        polygons[i].emplace_back(known.planIds.data() + known.first[margin],
-                                 known.first[margin + 1] - known.first[margin]);
+        polygons[i].emplace_back(work.known.planIds.data() + work.known.first[margin],
+                                 work.known.first[margin + 1] - work.known.first[margin]);
       if (before != nullptr) {
         if (auto again = before->find(kernel, face, polygons[i])) {
           found[i] = std::move(*again);
@@ -141,14 +163,17 @@ void cutOut(WalkableState& state, const KernelWithMargins& known, const std::vec
   }
   state.cuts = std::move(cuts);
   meshFaces(state, nullptr, {}, *meshes, context, fallbacks);
-  if (keep != nullptr) {
+  if (work.memory) {
     for (std::size_t i = 0; i < found.size(); ++i) {
       if (i % kMarginsPerPoll == 0) context.checkCancelled();
       if (found[i].cuts != coveredWhole)
-        keep->add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
+        work.memory->cutFaces.add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
     }
   }
   state.mesh = joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);
+  work.touched = {};
+  polygons = {};
+  found = {};
 }
 
 }  // namespace
@@ -159,46 +184,48 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   outcome.state = given;
   if (radius == 0 && ledges == 0) return outcome;
   const RadiusMemory* const before = recall.before ? recall.before->radiusMemory.get() : nullptr;
+  ReleaseOnException large(given->walkable.size() >= kLargeRelease);
+  const auto work = std::make_shared<RadiusWork>();
+  large.hold(work);
   // The same area in fewer triangles: each that a margin touches is cut and meshed anew.
-  const FilterOutcome simplified =
+  FilterOutcome simplified =
       applySimplification(given, false, 0, {before != nullptr ? before->simplified : nullptr, recall.keep}, context);
   outcome.fallbacks += simplified.fallbacks;
-  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(simplified.state, context));
+  work->simplified = std::move(simplified.state);
+  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(work->simplified, context));
+  work->product = product;
   if (product->triangles.empty()) return outcome;
   divideThinTriangles(*product, std::max(radius, ledges), context);
   const auto earlier =
-      EarlierResult::relate(before != nullptr ? before->simplified : nullptr, *simplified.state->kernel);
-  CoveredRecall covered;
-  if (earlier && !before->covered.empty()) covered = {&*earlier, &before->covered, {}};
+      EarlierResult::relate(before != nullptr ? before->simplified : nullptr, *work->simplified->kernel);
+  if (earlier && !before->covered.empty()) work->covered = {&*earlier, &before->covered, {}};
   // The kinds of borders depend on the obstacles at them.
   const bool hasObstacles = recall.needsObstacles || radius != ledges;
-  const GenerationSoup soup = hasObstacles
-                                  ? makeGenerationSoup(*simplified.state, *product, context, outcome.fallbacks,
-                                                       recall.keep || covered.earlier != nullptr ? &covered : nullptr)
-                                  : makeSoupOfFloors(*simplified.state, *product);
-  std::vector<Index> faces;
-  auto state = std::make_shared<WalkableState>(*startGeneration(*simplified.state, soup, context, &faces));
-  const auto floors = floorsOf(*product, state->kernel->mesh(), faces, state->kernel->sign().slack);
-  state->mesh = floors;
-  state->mesh = addBridges(*floors, *product);
-  if (radius != ledges) state->kernel = kernelForKinds(*state);
-  const int scale = state->kernel->mesh().grid.scaleExponent();
-  const std::vector<Margin> margins = findMargins(
-      *state, {std::ldexp(radius, scale), std::ldexp(ledges, scale), tolerance}, context, outcome.fallbacks);
+  work->soup = hasObstacles
+                   ? makeGenerationSoup(*work->simplified, *product, context, outcome.fallbacks,
+                                        recall.keep || work->covered.earlier != nullptr ? &work->covered : nullptr)
+                   : makeSoupOfFloors(*work->simplified, *product);
+  work->state = std::make_shared<WalkableState>(*startGeneration(*work->simplified, work->soup, context, &work->faces));
+  WalkableState& state = *work->state;
+  work->floors = floorsOf(*product, state.kernel->mesh(), work->faces, state.kernel->sign().slack);
+  state.mesh = work->floors;
+  state.mesh = addBridges(*work->floors, *product);
+  if (radius != ledges) state.kernel = kernelForKinds(state);
+  const int scale = state.kernel->mesh().grid.scaleExponent();
+  work->margins =
+      findMargins(state, {std::ldexp(radius, scale), std::ldexp(ledges, scale), tolerance}, context, outcome.fallbacks);
 
-  const KernelWithMargins known = addMargins(*state->kernel, margins, context);
-  state->kernel = known.kernel;
-  std::shared_ptr<RadiusMemory> memory;
+  work->known = addMargins(*state.kernel, work->margins, context);
+  state.kernel = work->known.kernel;
   if (recall.keep) {
-    memory = std::make_shared<RadiusMemory>(*state->kernel);
-    memory->simplified = simplified.state;
-    memory->covered = std::move(covered.found);
+    work->memory = std::make_shared<RadiusMemory>(*state.kernel);
+    work->memory->simplified = work->simplified;
+    work->memory->covered = std::move(work->covered.found);
   }
-  cutOut(*state, known, margins, before != nullptr ? &before->cutFaces : nullptr, memory ? &memory->cutFaces : nullptr,
-         context, outcome.fallbacks);
-  state->radiusMemory = std::move(memory);
-  outcome.state = withLinks(state, *floors, false, context, outcome.fallbacks);
-  if (state->mesh->triangles.empty())
+  cutOut(*work, before != nullptr ? &before->cutFaces : nullptr, context, outcome.fallbacks);
+  state.radiusMemory = work->memory;
+  outcome.state = withLinks(work->state, *work->floors, false, context, outcome.fallbacks);
+  if (state.mesh->triangles.empty())
     outcome.note = FOOTFALL_TEXT("nothing is left: no place is far enough from all borders");
   return outcome;
 }
