@@ -268,7 +268,7 @@ class TileMaker {
         aBeyond = static_cast<std::uint16_t>(number_[b]);
         bBeyond = static_cast<std::uint16_t>(number_[a]);
       } else {
-        addJump({middleOf(link.from, a), middleOf(link.to, b), true, false});
+        addJump({middleOf(link.from, a), middleOf(link.to, b), false});
       }
     }
   }
@@ -283,7 +283,7 @@ class TileMaker {
         const std::array edge{corners[k], corners[(k + 1) % corners.size()]};
         const Vec3 d = mesh_.vertices[edge[1]] - mesh_.vertices[edge[0]];
         if (std::max(std::fabs(d.x), std::fabs(d.y)) <= kShortestPortal)
-          addJump({middleOf(edge, polygon), middleOf(edge, other), true, false});
+          addJump({middleOf(edge, polygon), middleOf(edge, other), false});
       }
     }
   }
@@ -306,7 +306,7 @@ class TileMaker {
     appendPlace(tile.jumpPlaces, jump.to);
     tile.jumpAreas.push_back(jump.isDrop ? kJumpArea : kGroundArea);
     tile.jumpFlags.push_back(jump.isDrop ? kJumpFlag : kWalkFlag);
-    tile.jumpBothWays.push_back(jump.isBothWays ? 1 : 0);
+    tile.jumpBothWays.push_back(jump.isDrop ? 0 : 1);
   }
 
   EngineMesh mesh_;

@@ -137,7 +137,7 @@ EngineMesh engineMesh(const NavigationMesh& mesh, const ExportOptions& options) 
       const auto place = [&](const std::array<Vec3, 2>& ends, std::uint32_t triangle) {
         return insetPlace(result, result.triangles[triangle], scale * between(ends[0], ends[1], t));
       };
-      result.jumps.push_back({place(drop.start, drop.fromTriangle), place(drop.landing, drop.toTriangle), false, true});
+      result.jumps.push_back({place(drop.start, drop.fromTriangle), place(drop.landing, drop.toTriangle), true});
     }
   }
   return result;

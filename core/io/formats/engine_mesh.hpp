@@ -19,8 +19,7 @@ struct EngineLink {
 /// A way that common edges cannot express: from a place inside one triangle to a place inside another.
 struct EngineJump {
   Vec3 from, to;
-  bool isBothWays = false;
-  bool isDrop = false;
+  bool isDrop;  ///< one way; all others lead back
 };
 
 /// The mesh in Z up; each writer turns it. Floats hold all coordinates exactly.

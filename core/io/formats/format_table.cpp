@@ -23,7 +23,6 @@ constexpr std::array kFormats{
         .keeps = FOOTFALL_TEXT("everything, in doubles; footfall compare and other tools read it back"),
         .loses = FOOTFALL_TEXT("nothing"),
         .hasFrame = true,
-        .hasFloats = false,
     },
     FormatDescriptor{
         .format = ExportFormat::Gltf,
@@ -79,7 +78,6 @@ constexpr std::array kFormats{
         .loses = FOOTFALL_TEXT("heights, triangles, what links lead to, the agent, placed obstacles"),
         .hasExtras = false,
         .hasParts = true,
-        .hasFloats = false,
         .hasFilesBeside = true,
         .layersAs = FOOTFALL_TEXT("A file for each layer"),
         .stepsAs = FOOTFALL_TEXT("Steps as lines"),
@@ -95,7 +93,6 @@ constexpr std::array kFormats{
         .hasExtras = false,
         .hasParts = true,
         .hasCoordinateSystem = true,
-        .hasFloats = false,
         .layersAs = FOOTFALL_TEXT("The layer of each polygon"),
         .stepsAs = FOOTFALL_TEXT("Steps as lines"),
     },

@@ -28,7 +28,6 @@ struct FormatDescriptor {
   bool hasNavmeshNode = false;   ///< navmeshNode
   bool hasParts = false;         ///< part
   bool hasCoordinateSystem = false;
-  bool hasFloats = true;        ///< coordinates are rounded
   bool hasFilesBeside = false;  ///< a file for each layer, and more: existingOutputs()
   // The form of layers in the format, for a list of choices.
   Pattern layersAs = FOOTFALL_TEXT("A group for each layer");
