@@ -12,7 +12,6 @@
 #include <numeric>
 #include <unordered_map>
 
-#include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
 #include "core/base/disjoint_sets.hpp"
 #include "core/filters/filter_registry.hpp"

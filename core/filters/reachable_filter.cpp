@@ -21,7 +21,6 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/number_text.hpp"
 #include "core/base/parallel.hpp"
-#include "core/base/poll.hpp"
 #include "core/base/vector.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/mesh/mesh_topology.hpp"

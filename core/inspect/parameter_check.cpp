@@ -9,7 +9,6 @@
 #include <numbers>
 #include <string>
 
-#include "core/base/number_text.hpp"
 #include "core/environment/scale_guess.hpp"
 #include "core/exact/grid.hpp"
 #include "core/inspect/scale_evidence.hpp"

@@ -11,7 +11,6 @@
 #include "core/environment/part_names.hpp"
 #include "core/io/input_file.hpp"
 #include "footfall/io.hpp"
-#include "footfall/up_axis.hpp"
 
 namespace footfall::detail {
 namespace {

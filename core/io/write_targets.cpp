@@ -7,7 +7,6 @@
 #include <system_error>
 
 #include "core/io/export.hpp"
-#include "core/io/import.hpp"
 #include "footfall/errors.hpp"
 
 namespace footfall::detail {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
-#include <optional>
 
 #include "core/filters/descriptor_text.hpp"
 #include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 
 namespace footfall {

@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "core/base/counted_text.hpp"
-#include "core/base/number_text.hpp"
 #include "core/io/formats/save.hpp"
 #include "core/mesh/storey_names.hpp"
 #include "core/report/plan_drawing.hpp"

@@ -10,7 +10,6 @@
 
 #include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
-#include "core/exact/insertion_order.hpp"
 #include "core/filters/clearance/crowding.hpp"
 
 namespace footfall::detail {

@@ -1,7 +1,6 @@
 // RoundingFilter: vertices become doubles; what that breaks is repaired and counted (model, Rounding, thesis 4.4.2 and
 // 5.1.1).
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/assembly/mesh_assembly.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/rounding/generation.hpp"
 
