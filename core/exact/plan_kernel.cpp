@@ -98,13 +98,6 @@ std::optional<Index> PlanKernel::levelOf(double height) const {
   return std::nullopt;
 }
 
-std::optional<Index> PlanKernel::borderOf(int axis, double coordinate) const {
-  const auto& borders = borders_[axis];
-  const auto it = std::lower_bound(borders.begin(), borders.end(), coordinate);
-  if (it == borders.end() || *it != coordinate) return std::nullopt;
-  return static_cast<Index>(it - borders.begin());
-}
-
 DoubleContext PlanKernel::doubleContext(Index origin) const { return {*mesh_, scaledHeights_, scaledBorders_, origin}; }
 
 template <class Integer>

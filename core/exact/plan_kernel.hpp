@@ -111,8 +111,6 @@ class PlanKernel {
   [[nodiscard]] const SignRule& sign() const { return sign_; }
   /// The level of a height, if it is one of heights().
   [[nodiscard]] std::optional<Index> levelOf(double height) const;
-  /// The number of a border by its coordinate, if it is one of borders()[axis].
-  [[nodiscard]] std::optional<Index> borderOf(int axis, double coordinate) const;
   [[nodiscard]] double borderCoordinate(const PlanLine& border) const { return borders_[border.a][border.b]; }
 
   /// Sign of z(vertex) - z_face(vertex) - height(level); the face must face up.
