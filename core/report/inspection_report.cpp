@@ -58,20 +58,22 @@ std::string removalText(const Inspector& inspector, const PlaceExplanation& told
   return headline + ". " + reasonText(*removal, measure, number(told.limit) + unit, obstacle).str();
 }
 
-std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
-  switch (told.verdict) {
-    case PlaceVerdict::Walkable: {
-      std::string text = "walkable";
-      if (told.layer) text += ", layer " + std::to_string(*told.layer);
-      return text + ", component " + std::to_string(told.component + 1) + " of " +
-             std::to_string(inspector.components().list.size()) + " with an area of " + number(told.componentArea);
-    }
+struct VerdictWords {
+  std::string_view word, sentence;
+};
+
+/// The words of the verdicts that no filter gives. Those of others are their filter's (Removal); where a filter removed
+/// a place without describing it, the word is "removed".
+VerdictWords wordsOf(PlaceVerdict verdict) {
+  switch (verdict) {
+    case PlaceVerdict::Walkable:
+      return {"walkable", "walkable"};
     case PlaceVerdict::Vertical:
-      return "not walkable: the triangle is a vertical wall";
+      return {"vertical", "not walkable: the triangle is a vertical wall"};
     case PlaceVerdict::FacesDown:
-      return "not walkable: the triangle faces down";
+      return {"faces_down", "not walkable: the triangle faces down"};
     case PlaceVerdict::NeverFloor:
-      return "not walkable: the triangle counts as an obstacle only";
+      return {"obstacle_only", "not walkable: the triangle counts as an obstacle only"};
     case PlaceVerdict::NoArea:
     case PlaceVerdict::TooSteep:
     case PlaceVerdict::TooLow:
@@ -81,9 +83,18 @@ std::string verdictText(const Inspector& inspector, const PlaceExplanation& told
     case PlaceVerdict::TooNearWall:
     case PlaceVerdict::TooNearLedge:
     case PlaceVerdict::Removed:
-      return removalText(inspector, told);
+      break;
   }
-  return {};
+  return {"removed", {}};
+}
+
+std::string verdictText(const Inspector& inspector, const PlaceExplanation& told) {
+  std::string text(wordsOf(told.verdict).sentence);
+  if (text.empty()) return removalText(inspector, told);
+  if (told.verdict != PlaceVerdict::Walkable) return text;
+  if (told.layer) text += ", layer " + std::to_string(*told.layer);
+  return text + ", component " + std::to_string(told.component + 1) + " of " +
+         std::to_string(inspector.components().list.size()) + " with an area of " + number(told.componentArea);
 }
 
 }  // namespace
@@ -96,27 +107,7 @@ std::string detail::triangleList(const Environment& environment, const std::vect
 
 std::string_view verdictWord(const Pipeline& pipeline, const PlaceExplanation& explanation) {
   if (const Removal* removal = removalOf(pipeline, explanation)) return removal->word;
-  switch (explanation.verdict) {
-    case PlaceVerdict::Walkable:
-      return "walkable";
-    case PlaceVerdict::Vertical:
-      return "vertical";
-    case PlaceVerdict::FacesDown:
-      return "faces_down";
-    case PlaceVerdict::NeverFloor:
-      return "obstacle_only";
-    case PlaceVerdict::NoArea:
-    case PlaceVerdict::TooSteep:
-    case PlaceVerdict::TooLow:
-    case PlaceVerdict::RegionTooSmall:
-    case PlaceVerdict::Moved:
-    case PlaceVerdict::Unreachable:
-    case PlaceVerdict::TooNearWall:
-    case PlaceVerdict::TooNearLedge:
-    case PlaceVerdict::Removed:
-      break;
-  }
-  return "removed";
+  return wordsOf(explanation.verdict).word;
 }
 
 std::string detail::textBeside(double value, double limit) {
