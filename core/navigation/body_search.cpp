@@ -15,6 +15,12 @@ namespace {
 /// A length that is longer by this factor only, by rounding, may be as short.
 constexpr double kSlack = 1 + 0x1p-31;
 
+/// The apex of a funnel, and the first places of its chains.
+struct TautCone {
+  TautApex apex;
+  std::optional<FieldVector> left, right;
+};
+
 /// A gate of a way, and its place on the axis.
 struct AxisGate {
   TautGate ends;
@@ -89,12 +95,12 @@ struct Arrival {
   double length = 0, least = 0;
 };
 
-Arrival arrivalAt(const TautFunnel& funnel, const AxisGate& gate) {
-  const FieldVector apex = funnel.apex.place, left = gate.ends.left, way = gate.ends.right - left;
+Arrival arrivalAt(const TautCone& funnel, const AxisGate& gate) {
+  const FieldVector apex = funnel.apex.point.place, left = gate.ends.left, way = gate.ends.right - left;
   if (isCrossedAt(gate, apex)) return {apex, funnel.apex.length, 0};
-  const auto shareAt = [&](const TautLimit& limit, double end) {
-    if (!limit.isSet) return end;
-    const FieldVector ray = limit.place - apex;
+  const auto shareAt = [&](const std::optional<FieldVector>& limit, double end) {
+    if (!limit) return end;
+    const FieldVector ray = *limit - apex;
     const double share = -cross(ray, left - apex) / cross(ray, way);
     return share >= 0 && share <= 1 ? share : end;
   };
@@ -106,16 +112,16 @@ Arrival arrivalAt(const TautFunnel& funnel, const AxisGate& gate) {
 }
 
 /// A length that no way through a gate to a place is shorter than.
-double leastThrough(const TautFunnel& funnel, const AxisGate& gate, FieldVector to) {
-  const FieldVector apex = funnel.apex.place, way = gate.ends.left - gate.ends.right;
+double leastThrough(const TautCone& funnel, const AxisGate& gate, FieldVector to) {
+  const FieldVector apex = funnel.apex.point.place, way = gate.ends.left - gate.ends.right;
   if (isCrossedAt(gate, apex)) return funnel.apex.lengthTo(to);
   const double square = dot(way, way), before = cross(way, to - gate.ends.right);
   if (square > 0 && before > 0) to = to - leftOf(way) * (2 * before / square);
   double least = std::numeric_limits<double>::infinity();
   for (const bool isLeft : {true, false}) {
-    const TautLimit& limit = isLeft ? funnel.left : funnel.right;
-    if (!limit.isSet || (isLeft ? 1 : -1) * cross(limit.place - apex, to - apex) <= 0) continue;
-    least = std::min(least, funnel.apex.lengthTo(limit.place) + lengthOf(to - limit.place));
+    const std::optional<FieldVector>& limit = isLeft ? funnel.left : funnel.right;
+    if (!limit || (isLeft ? 1 : -1) * cross(*limit - apex, to - apex) <= 0) continue;
+    least = std::min(least, funnel.apex.lengthTo(*limit) + lengthOf(to - *limit));
   }
   return std::isfinite(least) ? least : funnel.apex.lengthTo(to);
 }
@@ -164,7 +170,9 @@ class BodySearch {
     std::size_t firstStep = 0, lastStep = 0;  ///< of `steps_`, since the label before
     std::size_t gateCount = 0;                ///< from the start
     std::size_t nearGates = 0;                ///< gates next to the start, whose discs have it
-    TautFunnel funnel;
+    TautCone cone;
+    /// Places of the funnel's chains, of `points_`: those on the left, then those on the right.
+    std::size_t firstPoint = 0, leftPoints = 0, rightPoints = 0;
     AxisGate last;     ///< gate
     double least = 0;  ///< no way to the target with this order is shorter
   };
@@ -220,31 +228,47 @@ class BodySearch {
       label.last = window.back();
     else if (label.before != kNone)
       label.last = labels_[label.before].last;
-    label.funnel = label.before == kNone ? TautFunnel{{from_.place, 0, 0, TautApex::kNoEnd}, {}, {}}
-                                         : labels_[label.before].funnel;
-    std::size_t windowBegin = first;
-    const auto gateAt = [&](std::size_t number) {
-      if (number < windowBegin) windowBegin = gatesFrom(number, label);
-      return window_[number - windowBegin].ends;
-    };
-    return pullThrough(label.funnel, first, label.gateCount, gateAt,
-                       [this](const TautApex& apex) { return isShortest(apex); });
+    loadFunnel(label.before);
+    for (const AxisGate& gate : window)
+      if (!funnel_.pullThrough(gate.ends, [this](const TautApex& apex) { return isShortest(apex); })) return false;
+    storeFunnel(label);
+    return true;
   }
 
-  /// Puts all gates of the labels from a gate on into the window. Returns the number of the first one.
-  std::size_t gatesFrom(std::size_t number, const Label& last) {
+  void loadFunnel(std::uint32_t number) {
+    if (number == kNone) {
+      funnel_.apex = {{from_.place, TautPoint::kNoEnd}, 0};
+      funnel_.left.assign(nullptr, 0);
+      funnel_.right.assign(nullptr, 0);
+      return;
+    }
+    const Label& label = labels_[number];
+    funnel_.apex = label.cone.apex;
+    funnel_.left.assign(points_.data() + label.firstPoint, label.leftPoints);
+    funnel_.right.assign(points_.data() + label.firstPoint + label.leftPoints, label.rightPoints);
+  }
+  void storeFunnel(Label& label) {
+    label.cone.apex = funnel_.apex;
+    label.firstPoint = points_.size();
+    label.leftPoints = funnel_.left.size();
+    label.rightPoints = funnel_.right.size();
+    for (const TautChain* chain : {&funnel_.left, &funnel_.right})
+      for (std::size_t i = 0; i < chain->size(); ++i) points_.push_back(chain->at(i));
+    if (label.leftPoints > 0) label.cone.left = funnel_.left.at(0).place;
+    if (label.rightPoints > 0) label.cone.right = funnel_.right.at(0).place;
+  }
+
+  /// Puts all gates of a label from the start on into the window.
+  void gatherGates(const Label& last) {
     std::vector<const Label*> labels{&last};
-    while (firstGateOf(*labels.back()) > number) labels.push_back(&labels_[labels.back()->before]);
+    while (labels.back()->before != kNone) labels.push_back(&labels_[labels.back()->before]);
     window_.clear();
-    const std::size_t first = firstGateOf(*labels.back());
     for (auto l = labels.rbegin(); l != labels.rend(); ++l) addGates(**l, firstGateOf(**l), window_);
-    return first;
   }
 
   /// Returns whether no other order has reached a bend on a shorter way.
   bool isShortest(const TautApex& apex) {
-    if (apex.end == TautApex::kNoEnd) return true;
-    const auto known = bends_.try_emplace(apex.end, apex.length).first;
+    const auto known = bends_.try_emplace(apex.point.end, apex.length).first;
     if (apex.length > known->second * kSlack) return false;
     known->second = std::min(known->second, apex.length);
     return true;
@@ -256,7 +280,7 @@ class BodySearch {
     label.least = before;
     // A target in the disc of a gate may lie before the gate, and need not cross it.
     if (label.gateCount > 0 && !label.isAtTarget && !isInDisc(label.last, to_.place))
-      label.least = std::max(before, leastThrough(label.funnel, label.last, to_.place));
+      label.least = std::max(before, leastThrough(label.cone, label.last, to_.place));
     queue_.emplace(label.least, static_cast<std::uint32_t>(labels_.size()));
     labels_.push_back(std::move(label));
   }
@@ -318,9 +342,9 @@ class BodySearch {
   /// Returns whether a label is worth going on from.
   bool settle(std::uint32_t number) {
     const Label& label = labels_[number];
-    const TautApex& apex = label.funnel.apex;
-    if (apex.end != TautApex::kNoEnd && apex.length > bends_.at(apex.end) * kSlack) return false;
-    const Arrival own = arrivalAt(label.funnel, label.last);
+    const TautApex& apex = label.cone.apex;
+    if (apex.point.end != TautPoint::kNoEnd && apex.length > bends_.at(apex.point.end) * kSlack) return false;
+    const Arrival own = arrivalAt(label.cone, label.last);
     const FieldVector left = label.last.ends.left, right = label.last.ends.right;
     std::vector<Arrival>& arrivals = arrivals_[label.vertex];
     for (const Arrival& other : arrivals) {
@@ -361,20 +385,23 @@ class BodySearch {
 
   /// The taut way to the target, through all gates of a label but those next to the target that it need not cross.
   std::vector<TautApex> pulled(std::uint32_t number) {
-    gatesFrom(0, labels_[number]);
+    gatherGates(labels_[number]);
     for (auto gate = window_.rbegin(); gate != window_.rend() && isInDisc(*gate, to_.place); ++gate)
       gate->ends.isOpen = gate->ends.isOpen || isBetween(*gate, to_.place);
-    window_.push_back({{to_.place, to_.place, TautApex::kNoEnd, TautApex::kNoEnd, false}, to_.place});
-    TautFunnel funnel{{from_.place, 0, 0, TautApex::kNoEnd}, {}, {}};
-    std::vector<TautApex> passed{funnel.apex};
-    pullThrough(
-        funnel, 0, window_.size(), [this](std::size_t gate) { return window_[gate].ends; },
-        [&passed](const TautApex& apex) {
-          passed.push_back(apex);
-          return true;
-        });
-    if (lengthOf(to_.place - passed.back().place) > 0 || passed.size() == 1)
-      passed.push_back({to_.place, passed.back().lengthTo(to_.place), window_.size(), TautApex::kNoEnd});
+    window_.push_back({{to_.place, to_.place, TautPoint::kNoEnd, TautPoint::kNoEnd, false}, to_.place});
+    loadFunnel(kNone);
+    std::vector<TautApex> passed{funnel_.apex};
+    for (const AxisGate& gate : window_)
+      funnel_.pullThrough(gate.ends, [&passed](const TautApex& apex) {
+        passed.push_back(apex);
+        return true;
+      });
+    // What is left of the funnel is one chain to the target.
+    for (const TautChain* chain : {&funnel_.left, &funnel_.right})
+      for (std::size_t i = 0; i < chain->size() && (chain == &funnel_.left || funnel_.left.size() == 0); ++i)
+        passed.push_back({chain->at(i), passed.back().lengthTo(chain->at(i).place)});
+    if (lengthOf(to_.place - passed.back().point.place) > 0 || passed.size() == 1)
+      passed.push_back({{to_.place, TautPoint::kNoEnd}, passed.back().lengthTo(to_.place)});
     return passed;
   }
 
@@ -388,7 +415,7 @@ class BodySearch {
   /// The way again, from its start.
   [[nodiscard]] BodyWay wayOf(std::uint32_t number) {
     BodyWay way;
-    for (const TautApex& bend : pulled(number)) way.corners.push_back(bend.place);
+    for (const TautApex& bend : pulled(number)) way.corners.push_back(bend.point.place);
     way.expanded = expanded_;
     const auto pass = [&](std::uint32_t w, const CorridorFoot& a, const CorridorFoot& b) {
       const CorridorNeck neck = network_.neckBetween(w, a, b);
@@ -418,6 +445,8 @@ class BodySearch {
   std::vector<BodyStep> steps_;
   std::vector<Label> labels_;
   std::vector<AxisGate> window_;
+  std::vector<TautPoint> points_;
+  TautFunnel funnel_;
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue_;
   std::unordered_map<std::uint32_t, double> bends_;  ///< of each end of a gate, the shortest way to it

@@ -4,40 +4,50 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "core/mesh/field_surface.hpp"
 
 namespace footfall::detail {
 
-/// A way goes between both places. `ends` are numbers by which equal places are known, left and right.
+/// A way goes between both places. `leftEnd` and `rightEnd` are numbers by which equal places are known.
 struct TautGate {
   FieldVector left, right;
   std::uint32_t leftEnd = 0, rightEnd = 0;
   bool isOpen = false;  ///< a way may pass it anywhere
 };
 
-/// A place at which the way bends.
-struct TautApex {
+/// An end of a gate.
+struct TautPoint {
   static constexpr std::uint32_t kNoEnd = 0xFFFFFFFF;
   FieldVector place;
-  double length = 0;           ///< up to there
-  std::size_t nextGate = 0;    ///< number of gates that it has passed
-  std::uint32_t end = kNoEnd;  ///< of a gate; none at the start
-  [[nodiscard]] double lengthTo(FieldVector p) const { return length + lengthOf(p - place); }
+  std::uint32_t end = kNoEnd;
 };
 
-/// One side of a funnel: an end of a gate.
-struct TautLimit {
-  bool isSet = false;
-  FieldVector place;
-  std::size_t gate = 0;
-  std::uint32_t end = TautApex::kNoEnd;
+/// A place at which the way bends, or begins.
+struct TautApex {
+  TautPoint point;
+  double length = 0;  ///< up to there
+  [[nodiscard]] double lengthTo(FieldVector p) const { return length + lengthOf(p - point.place); }
 };
 
-/// The way so far: every way through its gates bends at the apex, or begins there, and goes on between both limits.
-struct TautFunnel {
-  TautApex apex;
-  TautLimit left, right;
+/// The places at which ways from the apex to one end of the last gate bend, and that end.
+class TautChain {
+ public:
+  void assign(const TautPoint* begin, std::size_t count) {
+    points_.assign(begin, begin + count);
+    first_ = 0;
+  }
+  [[nodiscard]] std::size_t size() const { return points_.size() - first_; }
+  [[nodiscard]] const TautPoint& at(std::size_t i) const { return points_[first_ + i]; }
+  [[nodiscard]] const TautPoint& back() const { return points_.back(); }
+  void push(const TautPoint& point) { points_.push_back(point); }
+  void popBack() { points_.pop_back(); }
+  void popFront() { ++first_; }
+
+ private:
+  std::vector<TautPoint> points_;
+  std::size_t first_ = 0;
 };
 
 /// Returns whether a bend lies on a gate, between its ends, or behind it.
@@ -47,35 +57,44 @@ inline bool isPassed(const TautGate& gate, FieldVector p) {
          dot(left, right) <= 0;
 }
 
-/// Pulls the way through more gates (Lee and Preparata 1984; Chazelle 1982), up to number `end`, from `next` on. Gates
-/// are given by `gateAt` by number; it is called for earlier numbers where the apex moves back. `onMove` gets each new
-/// apex, and returns whether to go on. Returns false where it did not.
-template <class GateAt, class OnMove>
-bool pullThrough(TautFunnel& funnel, std::size_t next, std::size_t end, const GateAt& gateAt, const OnMove& onMove) {
-  while (next < end) {
-    const TautGate gate = gateAt(next);
-    bool isMoved = false;
-    for (const bool isLeft : {false, true}) {
-      if (gate.isOpen || isPassed(gate, funnel.apex.place)) break;
-      const FieldVector place = isLeft ? gate.left : gate.right, way = place - funnel.apex.place;
-      TautLimit &own = isLeft ? funnel.left : funnel.right, &other = isLeft ? funnel.right : funnel.left;
-      if (way.x == 0 && way.y == 0) continue;
-      const double sign = isLeft ? -1 : 1;
-      // An end outside of the funnel does not make it narrower.
-      if (own.isSet && sign * cross(own.place - funnel.apex.place, way) < 0) continue;
-      if (other.isSet && sign * cross(way, other.place - funnel.apex.place) < 0) {
-        const TautLimit to = other;
-        funnel = {{to.place, funnel.apex.lengthTo(to.place), to.gate + 1, to.end}, {}, {}};
-        if (!onMove(funnel.apex)) return false;
-        next = funnel.apex.nextGate;
-        isMoved = true;
-        break;
-      }
-      own = {true, place, next, isLeft ? gate.leftEnd : gate.rightEnd};
-    }
-    if (!isMoved) ++next;
+/// The way so far: every way through its gates bends at the apex, or begins there, and goes on between both chains
+/// (Lee and Preparata 1984; Chazelle 1982).
+struct TautFunnel {
+  TautApex apex;
+  TautChain left, right;
+
+  /// Pulls the way through one more gate. `onMove` gets each new apex, and returns whether to go on. Returns false
+  /// where it did not.
+  template <class OnMove>
+  bool pullThrough(const TautGate& gate, const OnMove& onMove) {
+    if (gate.isOpen || isPassed(gate, apex.point.place)) return true;
+    return addEnd(right, left, {gate.right, gate.rightEnd}, -1, onMove) &&
+           addEnd(left, right, {gate.left, gate.leftEnd}, 1, onMove);
   }
-  return true;
-}
+
+ private:
+  static bool isSame(FieldVector a, FieldVector b) { return a.x == b.x && a.y == b.y; }
+
+  /// `sign` is 1 for the left chain, which bends to the left.
+  template <class OnMove>
+  bool addEnd(TautChain& own, TautChain& other, const TautPoint& end, double sign, const OnMove& onMove) {
+    if (own.size() > 0 && isSame(own.back().place, end.place)) return true;
+    while (own.size() > 0) {
+      const FieldVector last = own.back().place;
+      const FieldVector before = own.size() > 1 ? own.at(own.size() - 2).place : apex.point.place;
+      if (sign * cross(last - before, end.place - last) > 0) break;
+      own.popBack();
+    }
+    while (own.size() == 0 && other.size() > 0) {
+      const TautPoint first = other.at(0);
+      if (sign * cross(first.place - apex.point.place, end.place - apex.point.place) >= 0) break;
+      apex = {first, apex.lengthTo(first.place)};
+      other.popFront();
+      if (!onMove(apex)) return false;
+    }
+    if (own.size() > 0 || !isSame(apex.point.place, end.place)) own.push(end);
+    return true;
+  }
+};
 
 }  // namespace footfall::detail
