@@ -1360,16 +1360,16 @@
         <translation>ihr Umwandler %1 gehört zu einer anderen Version</translation>
     </message>
     <message>
-        <source>run ifc.sh again (docs/how-to/buildings.md)</source>
-        <translation>ifc.sh noch einmal ausführen (docs/how-to/buildings.md)</translation>
+        <source>to install it, type in a terminal: %1</source>
+        <translation>zum Installieren in ein Terminal eingeben: %1</translation>
     </message>
     <message>
-        <source>IFC is read without its converter: openings may be closed, doors are in the way, and elements have no classes or storeys; ifc.sh installs it (docs/how-to/buildings.md)</source>
-        <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; ifc.sh installiert ihn (docs/how-to/buildings.md)</translation>
+        <source>IFC is read without its converter: openings may be closed, doors are in the way, and elements have no classes or storeys; %1</source>
+        <translation>IFC wird ohne Umwandler gelesen: Öffnungen können geschlossen sein, Türen sind im Weg, und Bauteile haben weder Klassen noch Geschosse; %1</translation>
     </message>
     <message>
-        <source>%1; valid IFC files may need the converter that ifc.sh installs (docs/how-to/buildings.md)</source>
-        <translation>%1; gültige IFC-Dateien brauchen vielleicht den Umwandler, den ifc.sh installiert (docs/how-to/buildings.md)</translation>
+        <source>%1; valid IFC files may need the converter of Footfall; %2</source>
+        <translation>%1; gültige IFC-Dateien brauchen vielleicht den Umwandler von Footfall; %2</translation>
     </message>
     <message>
         <source>it has no floors and no obstacles</source>
@@ -2182,6 +2182,10 @@
     <message>
         <source>there is no layer %1; give a number from 0 to %2</source>
         <translation>es gibt keine Ebene %1; geben Sie eine Zahl von 0 bis %2 an</translation>
+    </message>
+    <message>
+        <source>docs/how-to/buildings.md says how to install it</source>
+        <translation>wie man ihn installiert, steht in docs/how-to/buildings.md</translation>
     </message>
 </context>
 <context>
@@ -5685,6 +5689,14 @@ Die Griffe rasten an Böden ein, außer mit gedrückter Alt-Taste; ein Doppelkli
     <message>
         <source>(from the file)</source>
         <translation>(aus der Datei)</translation>
+    </message>
+    <message>
+        <source>Copy the command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the command that installs the converter for IFC files. Paste it into a terminal, then open the file again</source>
+        <translation>Kopiert den Befehl, der den Umwandler für IFC-Dateien installiert. Fügen Sie ihn in ein Terminal ein und öffnen Sie die Datei dann erneut</translation>
     </message>
 </context>
 <context>

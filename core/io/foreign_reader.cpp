@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/foreign_reader.hpp"
 
-#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -17,6 +16,7 @@
 
 #include "core/io/foreign_stream.hpp"
 #include "core/io/input_file.hpp"
+#include "core/io/own_files.hpp"
 #include "core/io/write_targets.hpp"
 
 namespace footfall::detail {
@@ -33,22 +33,6 @@ bool isProgramOf(const fs::path& path, std::uint32_t owner) {
   struct stat status {};
   return ::stat(path.c_str(), &status) == 0 && S_ISREG(status.st_mode) && ::access(path.c_str(), X_OK) == 0 &&
          (status.st_uid == 0 || status.st_uid == owner);
-}
-
-/// The library or program that contains this code, and the running program. The loader reports a program by the name
-/// that it was started by, which may be no file name.
-std::vector<fs::path> ownFiles() {
-  std::vector<fs::path> files;
-  Dl_info info{};
-  std::error_code error;
-  if (::dladdr(reinterpret_cast<const void*>(&findImportProgram), &info) != 0 && info.dli_fname != nullptr &&
-      std::strchr(info.dli_fname, '/') != nullptr) {
-    fs::path file = fs::canonical(info.dli_fname, error);
-    if (!error) files.push_back(std::move(file));
-  }
-  fs::path program = fs::read_symlink("/proc/self/exe", error);
-  if (!error) files.push_back(std::move(program));
-  return files;
 }
 
 std::string ended(int status) {

@@ -15,6 +15,7 @@
 #include "core/io/foreign_reader.hpp"
 #include "core/io/input_file.hpp"
 #include "core/io/obj_reader.hpp"
+#include "core/io/own_files.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -22,6 +23,7 @@ namespace {
 constexpr std::string_view kFirstLine = "# footfall-ifc 1";
 constexpr double kConverterStep = 1e-6;  // in metres; the converter rounds to the power of two that is nearest in ratio
 constexpr const char* kPlace = "footfall/ifc/footfall-ifc.mjs";
+constexpr int kFoldersUpToSources = 4;  // from build/release/tests
 
 std::string_view variable(const char* name) {
   const char* value = std::getenv(name);
@@ -53,6 +55,15 @@ std::optional<double> takeNumber(std::string_view& text) {
 
 std::string firstLineOf(std::string_view text) { return std::string(takeLine(text)); }
 
+/// A path as it is typed in a shell.
+std::string typedPath(const std::string& path) {
+  constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789/._-+,@%:=";
+  if (path.find_first_not_of(kPlain) == std::string::npos) return path;
+  std::string quoted = "'";
+  for (const char c : path) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + '\'';
+}
+
 }  // namespace
 
 std::optional<std::string> findIfcConverter() {
@@ -78,6 +89,22 @@ std::optional<std::string> findIfcConverter() {
         ::access((place.parent_path() / "node_modules/web-ifc/package.json").c_str(), R_OK) == 0)
       return place.string();
   return std::nullopt;
+}
+
+std::optional<std::string> ifcInstallCommand() {
+  for (const std::filesystem::path& file : ownFiles()) {
+    std::filesystem::path folder = file.parent_path();
+    for (int up = 0; up < kFoldersUpToSources; ++up, folder = folder.parent_path())
+      for (const char* place : {"share/footfall/ifc.sh", "installer/ifc.sh"})
+        if (::access((folder / place).c_str(), X_OK) == 0) return typedPath((folder / place).string());
+  }
+  return std::nullopt;
+}
+
+Text adviceOnIfcConverter() {
+  if (const std::optional<std::string> command = ifcInstallCommand())
+    return {FOOTFALL_TEXT("to install it, type in a terminal: %1"), *command};
+  return {FOOTFALL_TEXT("docs/how-to/buildings.md says how to install it")};
 }
 
 PartRole usualRoleOfClass(std::string_view ifcClass) {
@@ -127,7 +154,7 @@ FileFrame readWithIfcConverter(const std::string& converter, const std::string& 
   std::string_view rest = result.output;
   if (takeLine(rest) != kFirstLine)
     failInput(path, 0, Text(FOOTFALL_TEXT("its converter %1 is of another version"), converter),
-              FOOTFALL_TEXT("run ifc.sh again (docs/how-to/buildings.md)"));
+              adviceOnIfcConverter());
   while (rest.starts_with('#')) {
     const std::string_view line = takeLine(rest);
     if (auto value = after(line, "# metres per unit: ")) {

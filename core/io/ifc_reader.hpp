@@ -13,6 +13,7 @@
 #include "core/io/file_frame.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/run_context.hpp"
+#include "footfall/text.hpp"
 
 namespace footfall::detail {
 
@@ -20,6 +21,13 @@ namespace footfall::detail {
 /// footfall/ifc/footfall-ifc.mjs in XDG_DATA_HOME (or ~/.local/share) or in one of XDG_DATA_DIRS. Empty when it is not
 /// found.
 std::optional<std::string> findIfcConverter();
+
+/// What is typed in a terminal to install the converter: the path of ifc.sh of the sources or of an installation, which
+/// is looked for beside the program or library. Empty when it is not found.
+std::optional<std::string> ifcInstallCommand();
+
+/// The advice that says how the converter is installed: by ifcInstallCommand(), or where to read about it.
+Text adviceOnIfcConverter();
 
 /// Fills `vertices`, `triangles`, `parts`, `partOf`, `usualRoles` and `storeys` in the file's own frame. A part is an
 /// element's class (`mesh`) with its storey and name (`material`). Throws InputError for an error that the converter

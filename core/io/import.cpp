@@ -26,15 +26,16 @@ namespace {
 FileFrame readIfc(const std::string& path, Environment& environment, const ChildLimits& limits, RunContext* context) {
   if (const std::optional<std::string> converter = findIfcConverter())
     return readWithIfcConverter(*converter, path, environment, limits, context);
-  environment.notes.emplace_back(FOOTFALL_TEXT(
-      "IFC is read without its converter: openings may be closed, doors are in the way, and elements have "
-      "no classes or storeys; ifc.sh installs it (docs/how-to/buildings.md)"));
+  environment.notes.emplace_back(
+      FOOTFALL_TEXT(
+          "IFC is read without its converter: openings may be closed, doors are in the way, and elements have "
+          "no classes or storeys; %1"),
+      adviceOnIfcConverter());
   try {
     return readForeign(path, environment, limits, context);
   } catch (const InputError& error) {
-    throw InputError(
-        FOOTFALL_TEXT("%1; valid IFC files may need the converter that ifc.sh installs (docs/how-to/buildings.md)"),
-        error.text());
+    throw InputError(FOOTFALL_TEXT("%1; valid IFC files may need the converter of Footfall; %2"), error.text(),
+                     adviceOnIfcConverter());
   }
 }
 

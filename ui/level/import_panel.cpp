@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/level/import_panel.hpp"
 
+#include <QClipboard>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
+#include "core/io/ifc_reader.hpp"
 #include "footfall/up_axis.hpp"
 #include "ui/base/core_text.hpp"
 #include "ui/base/counted_noun.hpp"
@@ -27,6 +30,14 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   figures_ = new WrappedLabel(this);
   figures_->setText(tr("Open a file (Ctrl+O), or drop one here."));
   figures_->setObjectName(QStringLiteral("environmentFigures"));
+  copyCommand_ = new QPushButton(tr("Copy the command"), this);
+  copyCommand_->setObjectName(QStringLiteral("copyIfcCommand"));
+  copyCommand_->setToolTip(
+      tr("Copy the command that installs the converter for IFC files. Paste it into a terminal, then open the file "
+         "again"));
+  giveKeysBackAfterClick(*copyCommand_);
+  connect(copyCommand_, &QPushButton::clicked, this,
+          [] { QGuiApplication::clipboard()->setText(QString::fromStdString(ifcInstallCommand().value_or(""))); });
 
   up_ = new QComboBox(this);
   up_->setObjectName(QStringLiteral("upAxis"));
@@ -73,6 +84,7 @@ ImportPanel::ImportPanel(QWidget* parent) : QWidget(parent) {
   layout->setSpacing(4);
   layout->addWidget(name_);
   layout->addWidget(figures_);
+  layout->addWidget(copyCommand_, 0, Qt::AlignLeft);
   layout->addLayout(form);
   layout->addWidget(scaleError_);
   layout->addWidget(makeQuestion());
@@ -164,6 +176,10 @@ void ImportPanel::setEnvironment(const Environment* environment, const Vec3& siz
                           static_cast<QWidget*>(bothSides_)}) {
     widget->setEnabled(loaded_);
   }
+  const QString advice = coreText(adviceOnIfcConverter());
+  copyCommand_->setVisible(
+      environment && ifcInstallCommand() &&
+      std::ranges::any_of(environment->notes, [&](const Text& note) { return coreText(note).endsWith(advice); }));
   if (environment) {
     const QString path = QString::fromStdString(environment->source);
     name_->setText(QFileInfo(path).fileName());

@@ -70,6 +70,7 @@ class ImportPanel : public QWidget {
   QWidget* questionRow_;
   QLabel* question_;
   QPushButton *yes_, *no_;
+  QPushButton* copyCommand_;  ///< copies what installs the converter for IFC files; hidden for all others
   QComboBox *up_, *grid_;
   NumberField* scale_;
   QCheckBox *bothSides_, *watch_;

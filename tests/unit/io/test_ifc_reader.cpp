@@ -2,6 +2,7 @@
 // where it is installed.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QElapsedTimer>
+#include <QProcess>
 #include <QtTest>
 #include <cmath>
 #include <fstream>
@@ -87,7 +88,8 @@ class TestIfcReader : public QObject {
     QCOMPARE(
         messageWith("kill -9 $$"),
         QStringLiteral(": cannot be converted (exit status 137); check that the file is complete, or export it again"));
-    QVERIFY(messageWith("echo '# footfall-ifc 2'").contains(QStringLiteral("is of another version; run ifc.sh again")));
+    QVERIFY(messageWith("echo '# footfall-ifc 2'")
+                .contains(QStringLiteral("is of another version; to install it, type in a terminal: ")));
     QVERIFY(messageWith("echo '# footfall-ifc 1'").contains(QStringLiteral("no triangles in it")));
     QVERIFY(messageWith("printf '# footfall-ifc 1\\nv 0 0 nan\\n'").contains(QStringLiteral(":2: ")));
   }
@@ -106,8 +108,19 @@ class TestIfcReader : public QObject {
       QSKIP("without the real environments beside the project there is no IFC file that Assimp reads");
     const auto wall = importEnvironment(envs.toStdString() + "/ifc/SimpleWall.ifc");
     QCOMPARE(wall->notes.size(), std::size_t{1});
-    QVERIFY(wall->notes[0].str().find("ifc.sh installs it") != std::string::npos);
+    QVERIFY(wall->notes[0].str().find(adviceOnIfcConverter().str()) != std::string::npos);
     QVERIFY(wall->usualRoles.empty());
+  }
+
+  // The command is one that a terminal runs: the script is there.
+  void theAdviceNamesTheScript() {
+    const QString advice = QString::fromStdString(adviceOnIfcConverter().str());
+    const QString start = QStringLiteral("to install it, type in a terminal: ");
+    QVERIFY2(advice.startsWith(start), qPrintable(advice));
+    QProcess shell;
+    shell.start(QStringLiteral("/bin/sh"), {"-c", "test -x " + advice.mid(start.size())});
+    QVERIFY(shell.waitForFinished());
+    QCOMPARE(shell.exitCode(), 0);
   }
 
   void theConverterIsFoundByDataFolders() {
