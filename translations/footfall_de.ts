@@ -3543,6 +3543,49 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::BottleneckModel</name>
+    <message>
+        <source>%1 | %2, the only way</source>
+        <translation>%1 | %2, einziger Weg</translation>
+    </message>
+    <message>
+        <source>up to %1 | %2 wide</source>
+        <translation>bis %1 | %2 breit</translation>
+    </message>
+    <message>
+        <source>too narrow</source>
+        <translation>zu schmal</translation>
+    </message>
+    <message>
+        <source>fits</source>
+        <translation>passt</translation>
+    </message>
+    <message>
+        <source>Width (%1)</source>
+        <translation>Breite (%1)</translation>
+    </message>
+    <message>
+        <source>Agent</source>
+        <translation>Agent</translation>
+    </message>
+    <message>
+        <source>Sides</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Place (%1)</source>
+        <translation>Ort (%1)</translation>
+    </message>
+    <message>
+        <source>Sides: %1</source>
+        <translation>Seiten: %1</translation>
+    </message>
+    <message>
+        <source>The widest place on either side that is reached without going through anything as narrow. Where there is no other way: the walkable areas on both sides</source>
+        <translation>Die breiteste Stelle auf jeder Seite, die erreicht wird, ohne durch etwas ebenso Schmales zu gehen. Wo es keinen anderen Weg gibt: die begehbaren Flächen auf beiden Seiten</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::BusyPlot</name>
     <message>
         <source>pre-processing</source>
@@ -4266,6 +4309,137 @@
     <message>
         <source>1 component, %1</source>
         <translation>1 Teil, %1</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::CorridorWatch</name>
+    <message>
+        <source>The corridors: memory ran out; close other programs or use a smaller environment</source>
+        <translation>Die Korridore: Der Speicher reicht nicht; schließen Sie andere Programme oder verwenden Sie eine kleinere Umgebung</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::CorridorsFeature</name>
+    <message>
+        <source>Corridors</source>
+        <translation>Korridore</translation>
+    </message>
+    <message>
+        <source>Show how wide every passage is, and list the bottlenecks</source>
+        <translation>Zeigt, wie breit jeder Durchgang ist, und listet die Engstellen auf</translation>
+    </message>
+    <message>
+        <source>Open an environment first.</source>
+        <translation>Öffnen Sie zuerst eine Umgebung.</translation>
+    </message>
+    <message>
+        <source>Making the corridor map …</source>
+        <translation>Die Korridorkarte wird berechnet …</translation>
+    </message>
+    <message>
+        <source>The corridors follow when a run has finished.</source>
+        <translation>Die Korridore folgen, wenn ein Lauf fertig ist.</translation>
+    </message>
+    <message>
+        <source>%1, too narrow</source>
+        <translation>%1, zu schmal</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::CorridorsPanel</name>
+    <message>
+        <source>Show the &amp;map</source>
+        <translation>&amp;Karte zeigen</translation>
+    </message>
+    <message>
+        <source>Copy as text</source>
+        <translation>Als Text kopieren</translation>
+    </message>
+    <message>
+        <source>Width of an agent</source>
+        <translation>Breite eines Agenten</translation>
+    </message>
+    <message>
+        <source>Width of an agent; narrower passages are too narrow for it</source>
+        <translation>Breite eines Agenten; schmalere Durchgänge sind für ihn zu schmal</translation>
+    </message>
+    <message>
+        <source>&amp;Agent&apos;s width</source>
+        <translation>Breite des &amp;Agenten</translation>
+    </message>
+    <message>
+        <source>Draw the middle lines of all passages in the colours of their widths</source>
+        <translation>Zeichnet die Mittellinien aller Durchgänge in den Farben ihrer Breiten</translation>
+    </message>
+    <message>
+        <source>Colours of the map, narrow to wide</source>
+        <translation>Farben der Karte, von schmal nach breit</translation>
+    </message>
+    <message>
+        <source>Bottlenecks, narrowest first</source>
+        <translation>Engstellen, die schmalste zuerst</translation>
+    </message>
+    <message>
+        <source>Click a bottleneck, or press Return on it, to bring it into sight</source>
+        <translation>Eine Engstelle anklicken oder auf ihr die Eingabetaste drücken, um sie ins Bild zu holen</translation>
+    </message>
+    <message>
+        <source>Copy the list to the clipboard, with tabs for a spreadsheet</source>
+        <translation>Kopiert die Liste in die Zwischenablage, mit Tabulatoren für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>wider</source>
+        <translation>breiter</translation>
+    </message>
+    <message>
+        <source>below %1</source>
+        <translation>unter %1</translation>
+    </message>
+    <message>
+        <source>No bottlenecks</source>
+        <translation>Keine Engstellen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n slits of at most %1 are left out.</source>
+        <translation>
+            <numerusform>%n Schlitz von höchstens %1 ist weggelassen.</numerusform>
+            <numerusform>%n Schlitze von höchstens %1 sind weggelassen.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Measured without the filter Radius, which makes passages narrower.</source>
+        <translation>Gemessen ohne den Filter Radius, der Durchgänge schmaler macht.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The widest %n pieces of the map are not drawn.</source>
+        <translation>
+            <numerusform>Das breiteste Stück der Karte ist nicht gezeichnet.</numerusform>
+            <numerusform>Die %n breitesten Stücke der Karte sind nicht gezeichnet.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>&amp;Only those without another way</source>
+        <translation>&amp;Nur solche ohne anderen Weg</translation>
+    </message>
+    <message>
+        <source>List only bottlenecks that everybody must pass to get from one side to the other</source>
+        <translation>Listet nur Engstellen auf, durch die jeder muss, um von der einen Seite zur anderen zu kommen</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>bottleneck</source>
+        <translation>Engstelle</translation>
+    </message>
+    <message>
+        <source>bottlenecks</source>
+        <translation>Engstellen</translation>
+    </message>
+    <message>
+        <source>, %1 too narrow for the agent</source>
+        <translation>, %1 zu schmal für den Agenten</translation>
     </message>
 </context>
 <context>

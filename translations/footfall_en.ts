@@ -60,6 +60,23 @@
     </message>
 </context>
 <context>
+    <name>footfall::ui::CorridorsPanel</name>
+    <message numerus="yes">
+        <source>%n slits of at most %1 are left out.</source>
+        <translation>
+            <numerusform>%n slit of at most %1 is left out.</numerusform>
+            <numerusform>%n slits of at most %1 are left out.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The widest %n pieces of the map are not drawn.</source>
+        <translation>
+            <numerusform>The widest piece of the map is not drawn.</numerusform>
+            <numerusform>The widest %n pieces of the map are not drawn.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::FilterRow</name>
     <message numerus="yes">
         <source>%n seeds</source>

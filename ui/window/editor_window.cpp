@@ -21,6 +21,7 @@
 #include "ui/filters/parameter_notes.hpp"
 #include "ui/filters/seed_feature.hpp"
 #include "ui/inspect/compare_feature.hpp"
+#include "ui/inspect/corridors/corridors_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"
 #include "ui/inspect/side_by_side/side_by_side.hpp"
@@ -220,6 +221,7 @@ void EditorWindow::createFeatures() {
   new ObstacleFeatures(host, *view_, document_, file_, composer_, controller_);
   new SkippedFeature(host, *view_, file_, *import_);
   new CompareFeature(host, *view_, *overlays_, document_, file_, controller_);
+  new CorridorsFeature(host, *view_, file_, controller_);
   new SideBySide(host, *views_, *view_, document_, file_, composer_, controller_);
   auto* notes = new ParameterNotes(document_, file_, *messages_, this);
   connect(notes, &ParameterNotes::measured, import_,

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "ui/inspect/corridors/corridors_feature.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/level/packed_feature.hpp"
 #include "ui/view/widgets/view_hint.hpp"
@@ -35,6 +36,7 @@ int runUnattended(EditorWindow& window, const EditorOptions& options, const std:
   QObject::connect(&window.view(), &LevelView::failed, &window,
                    [&](const QString& message) { finish(failWith(1, message)); });
   auto* look = window.findChild<LevelLook*>();
+  auto* corridors = window.findChild<CorridorsFeature*>();
   QTimer settle;
   settle.setInterval(kSettleMs);
   QObject::connect(&window.controller(), &RunController::finished, &window, [&] {
@@ -46,6 +48,7 @@ int runUnattended(EditorWindow& window, const EditorOptions& options, const std:
     if (!window.cellWatch().upToDate() || !look->modes().upToDate() || window.controller().seeksMarginKinds()) return;
     // A session's part of a large environment comes after the first one, and blocks after either.
     if (window.file().busy() || window.controller().busy() || window.packed().busy() || window.drawing()) return;
+    if (corridors->watch().isBusy()) return;
     settle.stop();
     // A session has a view of its own.
     if (options.top) window.view().cameraController().viewFromTop();

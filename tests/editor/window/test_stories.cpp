@@ -7,6 +7,7 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
+#include <cmath>
 #include <memory>
 
 #include "core/io/import.hpp"
@@ -18,6 +19,7 @@
 #include "tests/support/soup.hpp"
 #include "ui/base/command_palette.hpp"
 #include "ui/filters/filter_list.hpp"
+#include "ui/inspect/corridors/corridors_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/level/obstacle_features.hpp"
 #include "ui/path/path_feature.hpp"
@@ -68,6 +70,7 @@ class TestStories : public QObject {
   void aCrateIsMoved();
   void stairsAreClimbed();
   void severalAgents();
+  void passagesAreMeasured();
   void aBuildingIsLookedInto();
   void theEditorWelcomes();
   void noTwoCommandsShareAKey();
@@ -339,6 +342,30 @@ void TestStories::severalAgents() {
     QCOMPARE(window_->document().pipeline().steps[3].values[0], height);
   }
   picture(QStringLiteral("guide-agents"));
+}
+
+void TestStories::passagesAreMeasured() {
+  open(QStringLiteral("villa"));
+  panelOnly("panel.corridors");
+  auto& corridors = partOf<CorridorsFeature>(*window_);
+  BottleneckModel& model = corridors.panel().model();
+  QTRY_VERIFY_WITH_TIMEOUT(model.rowCount() > 0, kWaitMs);
+  // A wide wheelchair, and the highest door that is too narrow for it.
+  corridors.panel().setAgentWidth(1.1);
+  corridors.panel().setOnlyWays(true);
+  int door = -1;
+  for (int row = 0; row < model.rowCount(); ++row) {
+    const Bottleneck& b = *model.bottleneckOf(row);
+    if (std::abs(b.width - 1) < 1e-9 && (door < 0 || b.place.z > model.bottleneckOf(door)->place.z)) door = row;
+  }
+  QVERIFY(door >= 0);
+  QCOMPARE(model.index(door, BottleneckModel::Agent).data().toString(), QString("too narrow"));
+  QTableView* table = corridors.panel().table();
+  table->setCurrentIndex(model.index(door, 0));
+  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(model.index(door, 0)).center());
+  const std::optional<QPointF> at = window_->view().project(model.bottleneckOf(door)->place);
+  QVERIFY(at && window_->view().rect().contains(at->toPoint()));
+  picture(QStringLiteral("guide-corridors"));
 }
 
 void TestStories::aBuildingIsLookedInto() {
