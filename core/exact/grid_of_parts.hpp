@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <gmpxx.h>
+
 #include <cstdlib>
+#include <initializer_list>
+#include <optional>
 
 #include "core/exact/fixed_integer.hpp"
 #include "core/exact/grid.hpp"
@@ -16,6 +20,11 @@ namespace footfall::detail {
 class GridOfParts {
  public:
   explicit GridOfParts(const PlanKernel& kernel) : kernel_(kernel), mesh_(kernel.mesh()) {}
+  GridOfParts(const PlanKernel& kernel, Index origin, std::initializer_list<const PlanPoint*> points)
+      : GridOfParts(kernel) {
+    addVertex(origin);
+    for (const PlanPoint* point : points) addPoint(*point);
+  }
 
   void addPlanPlace(Index vertex) {
     grid_.include(mesh_.vertices[vertex].x);
@@ -54,6 +63,23 @@ class GridOfParts {
             origin,
             {},
             0};
+  }
+  /// A place on the grid of the parts as one on the whole grid, where x and y are as many times larger.
+  [[nodiscard]] Homogeneous<mpz_class> onWhole(const Homogeneous<FixedInteger>& place, const Grid& whole) const {
+    Homogeneous<mpz_class> result;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const IntegerView view = place[k];
+      mpz_t borrowed;
+      result[k] = mpz_class(mpz_roinit_n(borrowed, view.limbs, view.size));
+      if (k < 2 && !grid_.empty()) result[k] <<= static_cast<mp_bitcnt_t>(grid_.low - whole.low);
+    }
+    return result;
+  }
+  /// The sign of what `evaluate` computes from the parts; empty where their own grid is too wide as well.
+  template <class Evaluate>
+  [[nodiscard]] std::optional<int> sign(const Grid& whole, Index origin, const Evaluate& evaluate) const {
+    if (grid_.width() > kWidestFixedGrid) return std::nullopt;
+    return sgn(evaluate(context<FixedInteger>(whole, origin)));
   }
   /// The bits of places on a grid, which are fewer than those of a decision (fixed_integer.hpp): 11 D + 12.
   [[nodiscard]] bool hasFixedPlaces() const {

@@ -229,7 +229,9 @@ Homogeneous<ErrorDouble> PlanKernel::homogeneous(const PlanPoint& point, Index o
 }
 
 Homogeneous<mpz_class> PlanKernel::exactHomogeneous(const PlanPoint& point, Index origin) const {
-  return homogeneousOn(gridContext<mpz_class>(origin), point);
+  const GridOfParts parts(*this, origin, {&point});
+  if (!parts.hasFixedPlaces()) return homogeneousOn(gridContext<mpz_class>(origin), point);
+  return parts.onWhole(homogeneousOn(parts.context<FixedInteger>(grid_, origin), point), grid_);
 }
 
 Homogeneous<FixedInteger> PlanKernel::fixedHomogeneous(const PlanPoint& point, Index origin) const {
@@ -351,9 +353,7 @@ ApproximatePoint PlanKernel::approximate(const Homogeneous<ErrorDouble>& h, cons
   const double error = std::max(x.error, y.error);
   const double size = std::fabs(x.value) + std::fabs(y.value) + 1;
   if (error < kCoarse * size) return {x.value, y.value, error + sign_.slack};
-  GridOfParts parts(*this);
-  parts.addVertex(origin);
-  parts.addPoint(point);
+  const GridOfParts parts(*this, origin, {&point});
   const auto round = [&](const auto& context) -> ApproximatePoint {
     const auto exact = homogeneousOn(context, point);
     const int scale = context.gridExponent + mesh_->grid.scaleExponent();
@@ -376,10 +376,13 @@ int PlanKernel::orientation(const PlanPoint& a, const PlanPoint& b, const PlanPo
           sign_(determinant<ErrorDouble>(homogeneous(a, origin), homogeneous(b, origin), homogeneous(c, origin))))
     return *s;
   ++count.orientation;
-  return exactSign(origin, [&](const auto& context) {
+  const auto evaluate = [&](const auto& context) {
     using T = typename std::decay_t<decltype(context)>::T;
     return determinant<T>(homogeneousOn(context, a), homogeneousOn(context, b), homogeneousOn(context, c));
-  });
+  };
+  if (!fitsFixedIntegers())
+    if (const auto s = GridOfParts(*this, origin, {&a, &b, &c}).sign(grid_, origin, evaluate)) return *s;
+  return exactSign(origin, evaluate);
 }
 
 int PlanKernel::compare(const PlanPoint& a, const PlanPoint& b, int axis, Index origin, ExactFallbacks& count) const {
