@@ -39,12 +39,17 @@ class GateMaker {
  public:
   GateMaker(const CorridorNetwork& network, double radius) : network_(network), radius_(radius) {}
 
-  void add(const BodyStep& step, std::vector<AxisGate>& gates) const {
+  /// Adds gates behind those from number `begin` on. A way that goes on from another one has its last gate again, in
+  /// most cases.
+  void add(const BodyStep& step, std::size_t begin, std::vector<AxisGate>& gates) const {
     const CorridorWay& way = network_.ways()[step.way];
     for (std::size_t i = step.first; i < step.last; ++i) {
       const std::size_t at = step.isForward ? i : way.gateCount - 1 - i;
       const CorridorGate& gate = network_.gates()[way.firstGate + at];
       const int left = step.isForward ? 0 : 1, right = 1 - left;
+      if (gates.size() > begin && gates.back().ends.leftEnd == gate.ends[left] &&
+          gates.back().ends.rightEnd == gate.ends[right])
+        continue;
       gates.push_back({{endOf(gate, left), endOf(gate, right), gate.ends[left], gate.ends[right], false}, gate.place});
     }
   }
@@ -200,7 +205,7 @@ class BodySearch {
   /// The gates of a label, all or since the one before, with those left out at the start.
   void addGates(const Label& label, std::size_t firstGate, std::vector<AxisGate>& gates) const {
     const std::size_t begin = gates.size();
-    for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], gates);
+    for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], begin, gates);
     for (std::size_t i = begin; i < gates.size(); ++i)
       if (i > begin || label.before != kNone)
         keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends);

@@ -29,6 +29,38 @@ FieldVector directionOf(const FieldFeature& left, const FieldFeature& right, Fie
   return length > 0 ? way * (1 / length) : FieldVector{1, 0};
 }
 
+/// Puts chains that follow each other next to each other, in one direction: searches go along them, and memory is read
+/// in its order.
+std::vector<CorridorChain> inOrder(std::vector<CorridorChain> chains, std::size_t nodeCount) {
+  std::vector<std::vector<std::uint32_t>> at(nodeCount);
+  for (std::uint32_t c = 0; c < chains.size(); ++c) {
+    at[chains[c].from].push_back(c);
+    at[chains[c].to].push_back(c);
+  }
+  std::vector<char> isDone(chains.size(), 0);
+  std::vector<CorridorChain> ordered;
+  ordered.reserve(chains.size());
+  const auto follow = [&](std::uint32_t node, std::uint32_t c) {
+    while (isDone[c] == 0) {
+      isDone[c] = 1;
+      CorridorChain& chain = chains[c];
+      if (chain.from != node) {
+        std::swap(chain.from, chain.to);
+        std::swap(chain.left, chain.right);
+      }
+      node = chain.to;
+      ordered.push_back(std::move(chain));
+      if (at[node].size() != 2) return;
+      c = at[node][0] == c ? at[node][1] : at[node][0];
+    }
+  };
+  for (const bool isRing : {false, true})  // rings have no vertex at which to begin
+    for (std::uint32_t node = 0; node < nodeCount; ++node)
+      for (std::size_t i = 0; i < at[node].size(); ++i)
+        if (isRing || at[node].size() != 2) follow(node, at[node][i]);
+  return ordered;
+}
+
 }  // namespace
 
 CorridorNetwork::CorridorNetwork(const NavigationMesh& mesh, Poll poll)
@@ -44,7 +76,7 @@ CorridorNetwork::CorridorNetwork(const NavigationMesh& mesh, Poll poll)
     return numbers[node];
   };
   waysIn_.resize(field_.surface().faces.size());
-  for (const CorridorChain& chain : graph.chains) {
+  for (const CorridorChain& chain : inOrder(graph.chains, axis.nodes.size())) {
     const std::uint32_t from = numberOf(chain.from), to = numberOf(chain.to);
     addWay(chain, from, to);
   }
