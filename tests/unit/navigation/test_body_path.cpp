@@ -5,12 +5,17 @@
 #include <QtTest>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <future>
 #include <limits>
 #include <memory>
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "core/mesh/clearance_field.hpp"
 #include "footfall/body_path.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/ground.hpp"
@@ -103,6 +108,19 @@ void compare(const SharedMesh& before, const SharedMesh& after, double radius, i
     }
     if (path.narrowest && path.narrowest->width < 2 * radius - 1e-9) return wrong("a narrow passage");
   }
+}
+
+/// The least distance from a path to the border, at the ends and in the middle of its pieces on the mesh.
+double leastDistance(const ClearanceField& field, const PathResult& path) {
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < path.triangles.size(); ++i) {
+    if (std::binary_search(path.gaps.begin(), path.gaps.end(), i)) continue;
+    const Vec3 &a = path.points[i], &b = path.points[i + 1];
+    for (const double share : {0.0, 0.5, 1.0})
+      least =
+          std::min(least, field.at(path.triangles[i], a.x + share * (b.x - a.x), a.y + share * (b.y - a.y)).distance);
+  }
+  return least;
 }
 
 }  // namespace
@@ -214,6 +232,89 @@ class TestBodyPath : public QObject {
     qInfo("%d ways, %d pairs without, %d between, longer by %.4f at most", tally.ways, tally.none, tally.between,
           tally.longest - 1);
     QVERIFY(tally.ways > 300 && tally.none > 50);
+  }
+
+  void isAsBehindTheFilterOnSamples_data() {
+    QTest::addColumn<QString>("name");
+    QTest::addColumn<double>("radius");
+    QTest::newRow("villa") << "villa" << 0.3;
+    QTest::newRow("house, 0.6") << "house" << 0.6;
+    QTest::newRow("arena") << "arena" << 0.3;
+    QTest::newRow("house, 0.25") << "house" << 0.25;
+  }
+  void isAsBehindTheFilterOnSamples() {
+    QFETCH(QString, name);
+    QFETCH(double, radius);
+    const auto environment =
+        importEnvironment(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name).toStdString());
+    const SharedMesh mesh = meshOf(environment);
+    Tally tally;
+    compare(mesh, meshOf(environment, radius), radius, 60, 7, tally);
+    QVERIFY2(tally.error.isEmpty(), qPrintable(tally.error));
+    QVERIFY(tally.ways > 10);
+
+    const BodyPathFinder finder(mesh);
+    const ClearanceField field(*mesh);
+    const auto places = randomPlaces(finder.pointFinder(), 120, 3);
+    int found = 0;
+    for (std::size_t i = 0; i < places.size(); i += 2) {
+      const BodyPath path = finder.find(places[i].position, places[i + 1].position, {.radius = radius}, 0.01);
+      if (!path.reached()) {
+        if (!path.admissible) continue;
+        // The place that is named is far enough.
+        const auto place = finder.pointFinder().locate(*path.admissible, 0.01);
+        QVERIFY(place);
+        QVERIFY(field.at(place->triangle, place->position.x, place->position.y).distance >= radius - 1e-9);
+        continue;
+      }
+      ++found;
+      // Polygons around circles dip by 0.13 % into them where a passage is no wider.
+      QVERIFY(leastDistance(field, path.path) >= radius * 0.9987);
+    }
+    QVERIFY(found > 5);
+  }
+
+  void isTheSameOnAnyThread() {
+    const BodyPathFinder finder(meshOf(importEnvironment(FOOTFALL_SOURCE_DIR "/samples/house/house.obj")));
+    const auto places = randomPlaces(finder.pointFinder(), 40, 5);
+    const auto findAll = [&] {
+      std::vector<std::vector<Vec3>> points;
+      for (std::size_t i = 0; i < places.size(); i += 2)
+        points.push_back(finder.find(places[i].position, places[i + 1].position, {.radius = 0.3}, 0.01).path.points);
+      return points;
+    };
+    const auto alone = findAll();
+    std::vector<std::future<std::vector<std::vector<Vec3>>>> others;
+    for (int i = 0; i < 3; ++i) others.push_back(std::async(std::launch::async, findAll));
+    for (auto& other : others) QVERIFY(other.get() == alone);
+  }
+
+  void standsOnBordersAndLinks() {
+    // Two floors, the second one higher by a step, and one apart.
+    const BodyPathFinder finder(meshOf(Soup().floor(0, 0, 4, 4, 0).floor(4, 0, 8, 4, 0.3).floor(20, 0, 24, 4, 0)));
+    const BodyPath over = finder.find({1, 2, 0}, {7, 2, 0.3}, {.radius = 0.5});
+    QVERIFY(over.reached());
+    QVERIFY(isNear(over.path.planLength, 6, 1e-12));
+    QCOMPARE(over.path.steps.size(), std::size_t{1});
+    QVERIFY(isNear(over.path.climb, 0.3, 1e-12));
+    // From the step's edge itself, and from there to there.
+    QVERIFY(finder.find({4, 2, 0}, {7, 2, 0.3}, {.radius = 0.5}).reached());
+    const BodyPath same = finder.find({4, 2, 0}, {4, 2, 0}, {.radius = 0.5});
+    QVERIFY(same.reached());
+    QCOMPARE(same.path.planLength, 0.0);
+    // On a border, and at a corner of it.
+    const BodyPath border = finder.find({0, 2, 0}, {7, 2, 0.3}, {.radius = 0.5});
+    QVERIFY(border.status == BodyPathStatus::StartTooNear);
+    QCOMPARE(border.startDistance, 0.0);
+    QVERIFY(isNear(border.lacking, 0.5, 1e-12));
+    QVERIFY(border.admissible);
+    QVERIFY(finder.find(*border.admissible, {7, 2, 0.3}, {.radius = 0.5}).reached());
+    QVERIFY(finder.find({7, 2, 0.3}, {8, 4, 0.3}, {.radius = 0.5}).status == BodyPathStatus::TargetTooNear);
+    QVERIFY(finder.find({1, 2, 0}, {22, 2, 0}, {.radius = 0.5}).status == BodyPathStatus::NoPath);
+    // Nowhere is such an agent's place.
+    const BodyPath nowhere = finder.find({22, 2, 0}, {22, 3, 0}, {.radius = 2.5});
+    QVERIFY(nowhere.status == BodyPathStatus::StartTooNear && !nowhere.admissible);
+    QVERIFY(formatFailure(nowhere, UpAxis::Z).find("no place of its part") != std::string::npos);
   }
 };
 
