@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "bindings.hpp"
+#include "body_paths.hpp"
 #include "corridors.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/version.hpp"
@@ -54,5 +55,6 @@ PYBIND11_MODULE(_core, module) {
   bindComparison(module);
   bindGround(module);
   bindCorridors(module);
+  bindBodyPaths(module);
   module.attr("__version__") = footfall::version();
 }

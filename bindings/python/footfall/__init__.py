@@ -39,6 +39,8 @@ Pickles. Environments, areas, meshes and pipelines can be pickled; an area keeps
 from . import _arguments, _core, _views
 from ._core import (
     Agent,
+    BodyPath,
+    BodyPaths,
     BorderLink,
     Bottleneck,
     ComparedPart,
@@ -54,6 +56,7 @@ from ._core import (
     InputError,
     NavigationMesh,
     Parameter,
+    Passage,
     Path,
     Pipeline,
     Place,
@@ -76,6 +79,8 @@ from ._views import Components, plot, trimesh_dict
 
 __all__ = [
     "Agent",
+    "BodyPath",
+    "BodyPaths",
     "BorderLink",
     "Bottleneck",
     "ComparedPart",
@@ -92,6 +97,7 @@ __all__ = [
     "InputError",
     "NavigationMesh",
     "Parameter",
+    "Passage",
     "Path",
     "Pipeline",
     "Place",
