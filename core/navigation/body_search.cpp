@@ -12,6 +12,9 @@
 namespace footfall::detail {
 namespace {
 
+/// A search that has looked at so many orders goes on from the best few of each vertex only, so that it ends.
+constexpr std::size_t kManyOrders = 50000, kMostOrders = 4;
+
 /// A length that is longer by this factor only, by rounding, may be as short.
 constexpr double kSlack = 1 + 0x1p-31;
 
@@ -352,6 +355,7 @@ class BodySearch {
     const Arrival own = arrivalAt(label.cone, label.last);
     const FieldVector left = label.last.ends.left, right = label.last.ends.right;
     std::vector<Arrival>& arrivals = arrivals_[label.vertex];
+    if (expanded_ > kManyOrders && arrivals.size() >= kMostOrders) return false;
     for (const Arrival& other : arrivals) {
       const double across = std::max(lengthOf(left - other.place), lengthOf(right - other.place));
       if (own.least > (other.length + across) * kSlack) return false;
