@@ -20,7 +20,8 @@ namespace footfall::ui {
 namespace {
 
 const QString kMapOverlay = QStringLiteral("corridors");
-const QString kBottleneckOverlay = QStringLiteral("bottlenecks");
+const QString kBottlenecksOverlay = QStringLiteral("bottlenecks");
+const QString kChosenOverlay = QStringLiteral("bottleneck");
 constexpr double kUsualAgentWidth = 0.6;  // metres: a person, shoulder to shoulder
 constexpr double kShownAround = 1.5;      // metres around a bottleneck that is brought into sight
 constexpr int kMostDimensions = 2000;     // bottlenecks that are drawn: overlays are sent with every frame
@@ -157,8 +158,9 @@ void CorridorsFeature::drawMap() {
 void CorridorsFeature::drawBottlenecks() {
   const BottleneckModel& model = panel_->model();
   if (dock_->isHidden() || model.rowCount() == 0) {
-    view_.removeOverlay(kBottleneckOverlay);
-    view_.cameraController().setSelectionBounds(kBottleneckOverlay, std::nullopt);
+    view_.removeOverlay(kBottlenecksOverlay);
+    view_.removeOverlay(kChosenOverlay);
+    view_.cameraController().setSelectionBounds(kChosenOverlay, std::nullopt);
     return;
   }
   ViewOverlay overlay;
@@ -173,17 +175,24 @@ void CorridorsFeature::drawBottlenecks() {
   }
   if (!wide.segments.empty()) overlay.lines.push_back(std::move(wide));
   if (!narrow.segments.empty()) overlay.lines.push_back(std::move(narrow));
-  if (const Bottleneck* chosen = model.bottleneckOf(chosen_)) {
-    const bool isTooNarrow = chosen->width < panel_->agentWidth();
-    const QColor colour = isTooNarrow ? widthColour(0) : toColour(kYellow);
-    overlay.throughWalls = true;
-    overlay.lines.push_back({{{chosen->left, chosen->right}}, colour, kChosenPixels, outlineColour()});
-    overlay.marks.push_back({chosen->left, colour, 11});
-    overlay.marks.push_back({chosen->right, colour, 11});
-    const QString width = units_.units().length(chosen->width);
-    overlay.labels.push_back({chosen->place, isTooNarrow ? tr("%1, too narrow").arg(width) : width});
-  }
-  view_.setOverlay(kBottleneckOverlay, std::move(overlay));
+  view_.setOverlay(kBottlenecksOverlay, std::move(overlay));
+  drawChosen();
+}
+
+// Visible through walls and through the floors above it.
+void CorridorsFeature::drawChosen() {
+  const Bottleneck* chosen = panel_->model().bottleneckOf(chosen_);
+  if (!chosen) return view_.removeOverlay(kChosenOverlay);
+  const bool isTooNarrow = chosen->width < panel_->agentWidth();
+  const QColor colour = isTooNarrow ? widthColour(0) : toColour(kYellow);
+  ViewOverlay overlay;
+  overlay.throughWalls = true;
+  overlay.lines.push_back({{{chosen->left, chosen->right}}, colour, kChosenPixels, outlineColour()});
+  overlay.marks.push_back({chosen->left, colour, 11});
+  overlay.marks.push_back({chosen->right, colour, 11});
+  const QString width = units_.units().length(chosen->width);
+  overlay.labels.push_back({chosen->place, isTooNarrow ? tr("%1, too narrow").arg(width) : width});
+  view_.setOverlay(kChosenOverlay, std::move(overlay));
 }
 
 void CorridorsFeature::choose(int row) {
@@ -192,7 +201,7 @@ void CorridorsFeature::choose(int row) {
   const Bottleneck* chosen = panel_->model().bottleneckOf(row);
   const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   view_.cameraController().setSelectionBounds(
-      kBottleneckOverlay, chosen ? std::optional(boxAround(*chosen, kShownAround / metres)) : std::nullopt);
+      kChosenOverlay, chosen ? std::optional(boxAround(*chosen, kShownAround / metres)) : std::nullopt);
 }
 
 void CorridorsFeature::frame(int row) {

@@ -33,6 +33,7 @@ class CorridorsFeature : public QObject {
   void show();
   void drawMap();
   void drawBottlenecks();
+  void drawChosen();
   void choose(int row);
   void frame(int row);
   [[nodiscard]] QString noteOf() const;
