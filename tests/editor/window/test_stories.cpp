@@ -365,6 +365,8 @@ void TestStories::passagesAreMeasured() {
   QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(model.index(door, 0)).center());
   const std::optional<QPointF> at = window_->view().project(model.bottleneckOf(door)->place);
   QVERIFY(at && window_->view().rect().contains(at->toPoint()));
+  const double floor = model.bottleneckOf(door)->place.z;
+  partOf<HeightSlider>(*window_).setRange({floor - 1, floor + 2});  // under the attic
   picture(QStringLiteral("guide-corridors"));
 }
 
