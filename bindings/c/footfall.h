@@ -374,6 +374,59 @@ FOOTFALL_API int footfall_path_barrier(const footfall_path* path, footfall_barri
 FOOTFALL_API void footfall_free_path(footfall_path* path);
 FOOTFALL_API void footfall_free_path_finder(footfall_path_finder* finder);
 
+/* --- Paths for an agent with a body --------------------------------------------------------------------------------
+ */
+
+typedef struct footfall_body_path_finder footfall_body_path_finder;
+typedef struct footfall_body_path footfall_body_path;
+
+typedef enum footfall_body_path_status {
+  FOOTFALL_BODY_PATH_FOUND = 0,
+  FOOTFALL_BODY_PATH_NONE = 1,            /* not even a point gets there without drops */
+  FOOTFALL_BODY_PATH_START_TOO_NEAR = 2,  /* the start is nearer to a border than the radius */
+  FOOTFALL_BODY_PATH_TARGET_TOO_NEAR = 3, /* the target is */
+  FOOTFALL_BODY_PATH_TOO_NARROW = 4       /* each way leads through a passage that is too narrow */
+} footfall_body_path_status;
+
+/* A narrow place of the walkable area. Lengths are in the plan. */
+typedef struct footfall_passage {
+  double place[3];
+  double left[3], right[3]; /* the nearest places of the border */
+  double width;             /* twice the distance to both */
+} footfall_passage;
+
+/* A finder is prepared once for a result (its corridor map), and then used any number of times, for any radius. The
+ * result should be without the margins of a RadiusFilter. */
+FOOTFALL_API footfall_status footfall_make_body_path_finder(const footfall_result* result, footfall_context* context,
+                                                            footfall_body_path_finder** finder);
+/* The shortest path in the plan that keeps `radius` (above 0, in the units of the file) from every border, between the
+ * walkable places straight above or below two points (x, y, z). Passages narrower than `preferred_width` are taken only
+ * where the way needs them; 0: width does not matter; INFINITY: the widest way. Drops are not taken. That there is no
+ * path is no error. */
+FOOTFALL_API footfall_status footfall_find_body_path(const footfall_body_path_finder* finder, const double from[3],
+                                                     const double to[3], double radius, double preferred_width,
+                                                     footfall_context* context, footfall_body_path** path);
+FOOTFALL_API footfall_body_path_status footfall_body_path_found(const footfall_body_path* path);
+/* The path as the functions for paths take it (points, triangles, lengths); it belongs to `path`. With
+ * FOOTFALL_BODY_PATH_NONE it is that of a point, with the reason in footfall_path_found() and footfall_path_barrier().
+ * NULL where a border is too near or every way too narrow. */
+FOOTFALL_API const footfall_path* footfall_body_path_way(const footfall_body_path* path);
+/* The reason why there is no path, in one line, in the frame of the environment's file; "" when there is one. */
+FOOTFALL_API const char* footfall_body_path_failure(const footfall_body_path* path);
+/* The narrowest passage of the way; with FOOTFALL_BODY_PATH_TOO_NARROW that which stops the agent, on the way whose
+ * narrowest passage is widest. Returns 0, and writes nothing, where there is none. */
+FOOTFALL_API int footfall_body_path_narrowest(const footfall_body_path* path, footfall_passage* passage);
+/* A place that is far enough, where the start or the target is too near to the border. Returns 0, and writes nothing,
+ * where there is none. */
+FOOTFALL_API int footfall_body_path_admissible(const footfall_body_path* path, double place[3]);
+/* The length that is missing: of the width of the passage, or of the distance of the start or the target. */
+FOOTFALL_API double footfall_body_path_lacking(const footfall_body_path* path);
+/* The distances from the start and from the target to the border. */
+FOOTFALL_API double footfall_body_path_start_distance(const footfall_body_path* path);
+FOOTFALL_API double footfall_body_path_target_distance(const footfall_body_path* path);
+FOOTFALL_API void footfall_free_body_path(footfall_body_path* path);
+FOOTFALL_API void footfall_free_body_path_finder(footfall_body_path_finder* finder);
+
 /* --- Places and straight ways ---------------------------------------------------------------------------------------
  */
 

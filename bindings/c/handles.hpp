@@ -52,6 +52,17 @@ struct footfall_path {
   std::string failure;
 };
 
+struct footfall_body_path_finder {
+  std::shared_ptr<const footfall::Environment> environment;
+  footfall::Pipeline pipeline;
+  std::unique_ptr<const footfall::BodyPathFinder> finder;
+};
+
+struct footfall_body_path {
+  footfall::BodyPath path;
+  footfall_path way;  ///< the same as a handle of its own, with the reason why there is none
+};
+
 struct footfall_inspector {
   footfall::Inspector inspector;
 };

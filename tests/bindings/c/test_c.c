@@ -396,6 +396,105 @@ static void testAgents(void) {
   footfall_free_environment(level);
 }
 
+static void testBodyPaths(void) {
+  footfall_environment* level = makeLevel();
+  footfall_result* result = runOn(level);
+  footfall_body_path_finder* finder = NULL;
+  footfall_body_path* path = NULL;
+  footfall_passage passage;
+  footfall_barrier barrier;
+  double place[3] = {0, 0, 0};
+  CHECK_OK(footfall_make_body_path_finder(result, NULL, &finder));
+  footfall_free_result(result);
+  footfall_free_environment(level);
+
+  /* The path goes round the corner of what lies under the ceiling: two tangents and an arc, in a corridor 2 wide. */
+  const double from[] = {3, 1, 0}, behind[] = {1, 3, 0}, above[] = {6, 2, 0.5}, under[] = {1, 1, 0},
+               edge[] = {3.9, 1, 0};
+  const double radius = 0.5, length = 2 * sqrt(2 - 0.25) + radius * (acos(-1.0) - 2 * acos(radius / sqrt(2.0)));
+  CHECK_OK(footfall_find_body_path(finder, from, behind, radius, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_FOUND && footfall_body_path_failure(path)[0] == '\0');
+  const footfall_path* way = footfall_body_path_way(path);
+  CHECK(footfall_path_found(way) == FOOTFALL_PATH_FOUND && footfall_path_failure(way)[0] == '\0');
+  CHECK(footfall_path_plan_length(way) >= length && footfall_path_plan_length(way) < length + 1e-3);
+  CHECK(footfall_path_points(way).count == footfall_path_triangles(way).count + 1);
+  CHECK(memcmp(footfall_path_points(way).data, from, sizeof from) == 0);
+  CHECK(footfall_body_path_start_distance(path) == 1 && footfall_body_path_target_distance(path) == 1);
+  CHECK(footfall_body_path_lacking(path) == 0 && footfall_body_path_admissible(path, place) == 0);
+  CHECK(footfall_body_path_narrowest(path, &passage) == 1 && fabs(passage.width - 2) < 1e-9);
+  footfall_free_body_path(path);
+
+  /* There is no other way, so that the widest one is the same. */
+  CHECK_OK(footfall_find_body_path(finder, from, behind, radius, HUGE_VAL, NULL, &path));
+  CHECK(footfall_path_plan_length(footfall_body_path_way(path)) < length + 1e-3);
+  footfall_free_body_path(path);
+
+  CHECK_OK(footfall_find_body_path(finder, from, edge, radius, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_TARGET_TOO_NEAR);
+  CHECK(fabs(footfall_body_path_lacking(path) - 0.4) < 1e-9 && footfall_body_path_way(path) == NULL);
+  CHECK(strstr(footfall_body_path_failure(path), "the target is 0.1 away") != NULL);
+  CHECK(footfall_body_path_admissible(path, place) == 1 && fabs(place[0] - 3.5) < 1e-9 && place[1] == 1);
+  CHECK(footfall_body_path_narrowest(path, &passage) == 0);
+  footfall_free_body_path(path);
+
+  CHECK_OK(footfall_find_body_path(finder, edge, from, radius, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_START_TOO_NEAR);
+  footfall_free_body_path(path);
+
+  CHECK_OK(footfall_find_body_path(finder, from, above, radius, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_NONE);
+  CHECK(footfall_path_found(footfall_body_path_way(path)) == FOOTFALL_PATH_NOT_CONNECTED);
+  CHECK(strstr(footfall_body_path_failure(path), "a step of 0.5 up") != NULL);
+  CHECK(footfall_path_barrier(footfall_body_path_way(path), &barrier) == 1 && barrier.rise == 0.5);
+  footfall_free_body_path(path);
+
+  CHECK_OK(footfall_find_body_path(finder, from, under, radius, 0, NULL, &path));
+  CHECK(footfall_path_found(footfall_body_path_way(path)) == FOOTFALL_PATH_TARGET_NOT_WALKABLE);
+  footfall_free_body_path(path);
+
+  path = NULL;
+  CHECK_FAILS(footfall_find_body_path(finder, from, behind, 0, 0, NULL, &path), FOOTFALL_INPUT_ERROR, "the radius");
+  CHECK_FAILS(footfall_find_body_path(finder, from, behind, radius, NAN, NULL, &path), FOOTFALL_INPUT_ERROR,
+              "the width");
+  CHECK_FAILS(footfall_find_body_path(finder, NULL, behind, radius, 0, NULL, &path), FOOTFALL_INPUT_ERROR,
+              "from is NULL");
+  CHECK_FAILS(footfall_find_body_path(NULL, from, behind, radius, 0, NULL, &path), FOOTFALL_INPUT_ERROR,
+              "finder is NULL");
+  CHECK_FAILS(footfall_make_body_path_finder(NULL, NULL, NULL), FOOTFALL_INPUT_ERROR, "result is NULL");
+  CHECK(path == NULL && footfall_body_path_way(NULL) == NULL && footfall_body_path_found(NULL) != 0);
+  footfall_free_body_path(NULL);
+  footfall_free_body_path_finder(NULL);
+  footfall_free_body_path_finder(finder);
+}
+
+/* A wheelchair of 1.1 m at the front door of the house, which is 1 m wide; one of 0.9 m gets in. */
+static void testDoor(const char* sample) {
+  footfall_environment* level = NULL;
+  footfall_result* result = NULL;
+  footfall_body_path_finder* finder = NULL;
+  footfall_body_path* path = NULL;
+  footfall_passage passage;
+  const double from[] = {2.5, 20, 0}, to[] = {20, 20, 0};
+  CHECK_OK(footfall_load(sample, NULL, NULL, &level));
+  CHECK_OK(footfall_walkable_area(level, NULL, NULL, 0, &result));
+  CHECK_OK(footfall_make_body_path_finder(result, NULL, &finder));
+  CHECK_OK(footfall_find_body_path(finder, from, to, 0.55, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_TOO_NARROW && footfall_body_path_way(path) == NULL);
+  CHECK(fabs(footfall_body_path_lacking(path) - 0.1) < 1e-6);
+  CHECK(footfall_body_path_narrowest(path, &passage) == 1 && fabs(passage.width - 1) < 1e-6);
+  CHECK(fabs(passage.place[0] - 18.5) < 1e-6 && fabs(passage.place[1] - 19) < 1e-6);
+  CHECK(fabs(fabs(passage.left[0] - passage.right[0]) - 1) < 1e-6 && fabs(passage.left[1] - 19) < 1e-6);
+  CHECK(strstr(footfall_body_path_failure(path), "18.5 0.5 -19") != NULL); /* in the frame of the file */
+  footfall_free_body_path(path);
+  CHECK_OK(footfall_find_body_path(finder, from, to, 0.45, 0, NULL, &path));
+  CHECK(footfall_body_path_found(path) == FOOTFALL_BODY_PATH_FOUND);
+  CHECK(footfall_body_path_narrowest(path, &passage) == 1 && fabs(passage.width - 1) < 1e-6);
+  footfall_free_body_path(path);
+  footfall_free_body_path_finder(finder);
+  footfall_free_result(result);
+  footfall_free_environment(level);
+}
+
 static void testGround(void) {
   footfall_environment* level = makeLevel();
   footfall_result* result = runOn(level);
@@ -593,6 +692,8 @@ int main(int count, char** arguments) {
   testProgressAndCancelling();
   testObstacles();
   testPaths();
+  testBodyPaths();
+  testDoor(arguments[1]);
   testAgents();
   testGround();
   testWhy();
