@@ -50,10 +50,15 @@ class Benchmark {
     results["threads"] = options_.threads;
     results["runs"] = options_.repetition.runs;
     results["environments"] = Json::array();
-    for (const char* part : {"growth", "cancelling", "live", "exports", "reach", "scenes", "turned"})
+    for (const char* part : {"growth", "cancelling", "live", "exports", "reach", "paths", "scenes", "turned"})
       results[part] = Json::array();
     if (options_.scenes) {
       results.update(measureScenes(options_));
+      return results;
+    }
+    if (options_.paths.pairs > 0) {
+      for (const Subject& subject : options_.given) results["paths"].push_back(measureThePaths(subject, "given"));
+      for (const Subject& subject : options_.samples) results["paths"].push_back(measureThePaths(subject, "sample"));
       return results;
     }
     if (options_.reach) {
@@ -99,6 +104,16 @@ class Benchmark {
       entry["recast"] = runIsolated([&] { return compareReach(subject, step, threads); }, options_.limits);
     }
 #endif
+    return entry;
+  }
+
+  Json measureThePaths(const Subject& subject, const char* group) const {
+    PathPairs asked = options_.paths;
+    asked.step = options_.step;
+    tell(subject.name, "paths for a radius");
+    Json entry{{"name", subject.name}, {"group", group}};
+    entry.update(
+        runIsolated([&] { return measurePaths(subject, asked, options_.threads.back()); }, {options_.limits.time, 0}));
     return entry;
   }
 

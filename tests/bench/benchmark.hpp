@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/bench/path_measurement.hpp"
 #include "tests/bench/pipeline_measurement.hpp"
 
 namespace footfall::bench {
@@ -20,6 +21,7 @@ struct BenchmarkOptions {
   std::vector<std::uint32_t> exports;  ///< triangles of meshes that are written in each format
   bool reach = false;                  ///< measure who can reach whom, and nothing else
   double step = 0.4;                   ///< used with `reach`: metres that agents climb at once
+  PathPairs paths;                     ///< with pairs: measure paths for a radius, and nothing else; `step` is above
   bool scenes = false;                 ///< measure scenes and turned levels, and nothing else: `given` are the scenes
   std::uint32_t sceneTriangles = 60'000;  ///< of each generated scene
   std::vector<Subject> turned;            ///< levels that are turned, with `samples`
@@ -44,7 +46,9 @@ struct BenchmarkOptions {
 /// - `live`: a list of `name` and what measureLive() says with most threads;
 /// - `exports`: a list of what measureExports() says, one entry for each of BenchmarkOptions::exports;
 /// - `reach`: with BenchmarkOptions::reach, when all others are empty: a list of `name`, `group`, what measureReach()
-///   says with most threads, and `recast` (of compareReach()).
+///   says with most threads, and `recast` (of compareReach());
+/// - `paths`: with pairs in BenchmarkOptions::paths, when all others are empty: a list of `name`, `group` and what
+///   measurePaths() says;
 /// - `scenes`, `turned`: with BenchmarkOptions::scenes, when all others are empty: what measureScenes() says.
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);

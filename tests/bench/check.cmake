@@ -116,6 +116,37 @@ if(NOT markdown MATCHES "\\| house \\| 0\\.90[0-9] \\| 0\\.90[0-9] \\| 25 \\| 21
   message(FATAL_ERROR "the table of reach is ${markdown}")
 endif()
 
+# Paths for a radius are no matter of time either, but for two columns.
+execute_process(COMMAND "${PROGRAM}" --paths 100 "${HOUSE}:2" --json "${SCRATCH}/paths.json" --markdown
+                        "${SCRATCH}/paths.md" RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "--paths: exit code ${code}")
+endif()
+file(READ "${SCRATCH}/paths.json" json)
+string(JSON found GET "${json}" paths 0 found)
+string(JSON none GET "${json}" paths 0 none)
+string(JSON between GET "${json}" paths 0 between)
+math(EXPR all "${found} + ${none} + ${between}")
+if(NOT all EQUAL 100 OR found LESS 80)
+  message(FATAL_ERROR "of 100 pairs ${found} have paths, ${none} have none, ${between} have one on the map alone")
+endif()
+foreach(figure missing surplus lengths)
+  string(JSON value GET "${json}" paths 0 ${figure})
+  if(NOT value EQUAL 0)
+    message(FATAL_ERROR "${figure} of the house is ${value}")
+  endif()
+endforeach()
+file(READ "${SCRATCH}/paths.md" markdown)
+if(NOT markdown MATCHES "\\| house \\| 100 \\| ${found} \\| 0 \\| 1\\.00[0-9]+ \\| (1\\.0|0\\.99)[0-9]+ \\|")
+  message(FATAL_ERROR "the table of paths is ${markdown}")
+endif()
+# The polygons around corners are not the filter's, so the lengths differ by more than nothing.
+execute_process(COMMAND "${PROGRAM}" --paths 100 --lengths-within 1e-9 "${HOUSE}:2" --markdown "${SCRATCH}/paths.md"
+                RESULT_VARIABLE code ERROR_VARIABLE error)
+if(NOT code EQUAL 1 OR NOT error MATCHES "house: of 100 pairs, 0 have .* 0 one .* [1-9][0-9]* two whose lengths differ")
+  message(FATAL_ERROR "a claim about paths that fails gives ${code}: ${error}")
+endif()
+
 # Scenes: what is given, one of each generated kind, and levels that are turned; worst and mean come first.
 execute_process(COMMAND "${PROGRAM}" --scenes --scene-triangles 500 "${HOUSE}:2" --turned "${HOUSE}:2" --runs 1 --seconds 5
                         --json "${SCRATCH}/scenes.json" --markdown "${SCRATCH}/scenes.md" RESULT_VARIABLE code)

@@ -7,6 +7,7 @@
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 #include "tests/bench/benchmark.hpp"
+#include "tests/bench/path_measurement.hpp"
 #include "tests/bench/report.hpp"
 #include "tests/bench/scene_report.hpp"
 #include "tests/bench/targets.hpp"
@@ -17,7 +18,23 @@ using namespace footfall;
 using namespace footfall::detail;
 using namespace footfall::bench;
 
-/// The exit code: 1 when something could not be measured.
+void addPathOptions(CLI::App& app, PathPairs& paths) {
+  app.add_option("--paths", paths.pairs,
+                 "Instead of times: paths for a radius between so many random pairs of places, on the corridor map and "
+                 "behind a RadiusFilter; the exit code is 1 when only one has a path, or their lengths differ")
+      ->check(CLI::Range(1, 1'000'000))
+      ->type_name("PAIRS");
+  app.add_option("--radius", paths.radius, "With --paths: the radius, in metres")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--lengths-within", paths.lengthsWithin,
+                 "With --paths: by how much the lengths of both paths may differ")
+      ->check(CLI::PositiveNumber)
+      ->type_name("PERCENT")
+      ->capture_default_str();
+}
+
+/// The exit code: 1 when something could not be measured, or when a claim about paths failed.
 int runProgramWith(int argc, char** argv) {
   CLI::App app(
       "Measures Footfall on environments, in one run beside Recast's voxels, the time that reading the file and "
@@ -48,9 +65,10 @@ int runProgramWith(int argc, char** argv) {
       ->type_name("TRIANGLES");
   app.add_flag("--reach", options.reach,
                "Instead of times: how likely two random places are connected, without steps, with them, and in Recast");
-  app.add_option("--step", options.step, "With --reach: how high agents climb at once, in metres")
+  app.add_option("--step", options.step, "With --reach and --paths: how high agents climb at once, in metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  addPathOptions(app, options.paths);
   app.add_flag(
       "--scenes", options.scenes,
       "Instead of all else: FILES as scenes and one generated scene of each kind, beside Recast, with a radius, "
@@ -104,7 +122,8 @@ int runProgramWith(int argc, char** argv) {
   if (!turned.empty() && !options.scenes) throw InputError("--turned belongs to --scenes; give that, too");
 
   Json results = runBenchmark(options);
-  results["targets"] = options.scenes ? judgeScenes(results) : options.reach ? Json::array() : judgeTargets(results);
+  const bool hasTargets = !options.reach && options.paths.pairs == 0;
+  results["targets"] = options.scenes ? judgeScenes(results) : hasTargets ? judgeTargets(results) : Json::array();
   const std::string tables = options.scenes ? formatScenes(results) : formatReport(results);
   if (!json.empty()) writeFileSafely(json, results.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
   if (markdown.empty()) {
@@ -112,7 +131,7 @@ int runProgramWith(int argc, char** argv) {
   } else {
     writeFileSafely(markdown, tables);
   }
-  return reportFailures("footfall-bench", results);
+  return std::max(reportFailures("footfall-bench", results), reportFailedClaims("footfall-bench", results));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "tests/bench/markdown.hpp"
+#include "tests/bench/path_measurement.hpp"
 #include "tests/bench/sampling.hpp"
 #include "tests/bench/targets.hpp"
 
@@ -17,6 +18,7 @@ class Report {
   explicit Report(const Json& results) : results_(results), threads_(results["threads"].back().get<int>()) {}
 
   std::string format() {
+    if (!results_["paths"].empty()) return formatPaths(results_);
     if (!results_["reach"].empty()) return reach();
     std::string text = "Footfall " + results_["program"]["version"].get<std::string>() + ", at most " +
                        std::to_string(results_["runs"].get<int>()) + " runs after one warm-up, medians, ms.\n\n";

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # report.sh [--only PART,...] [BUILD_FOLDER [OPTION...]]: measures everything again and writes the tables of
-# docs/reference/measurements.md between their markers; with --only these parts: scenes, bench, reach, editor. Options
+# docs/reference/measurements.md between their markers; with --only these parts: scenes, bench, reach, paths, editor. Options
 # go to footfall-bench (--runs 3 --seconds 2: quick and rough). Environments and scenes from outside come from the
 # folder $FOOTFALL_SHARED (../shared unless set); its prototype/ is built when it is there. The editor is measured where it was
 # built and a display is or xvfb-run can make one. Takes half an hour; a machine that does something else meanwhile
@@ -9,15 +9,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
-only=scenes,bench,reach,editor
+only=scenes,bench,reach,paths,editor
 if [ "${1:-}" = --only ]; then
-  only="${2:?report.sh: --only takes parts: scenes, bench, reach, editor}"
+  only="${2:?report.sh: --only takes parts: scenes, bench, reach, paths, editor}"
   shift 2
   for part in ${only//,/ }; do
     case "${part}" in
-      scenes | bench | reach | editor) ;;
+      scenes | bench | reach | paths | editor) ;;
       *)
-        echo "report.sh: ${part} is no part of the report; give scenes, bench, reach or editor" >&2
+        echo "report.sh: ${part} is no part of the report; give scenes, bench, reach, paths or editor" >&2
         exit 2
         ;;
     esac
@@ -61,6 +61,14 @@ if asked reach; then
   environments
   "${build}/footfall-bench" "${arguments[@]}"
   replace reach "${scratch}/reach.md"
+fi
+
+if asked paths; then
+  arguments=(--paths 1000 --samples "${repository}/samples/rooms/rooms.obj" --timeout 3000 --json "${build}/paths.json"
+    --markdown "${scratch}/paths.md")
+  environments
+  "${build}/footfall-bench" "${arguments[@]}"
+  replace paths "${scratch}/paths.md"
 fi
 
 if asked editor && [ -x "${build}/footfall-editor-bench" ]; then
