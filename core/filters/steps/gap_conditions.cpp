@@ -8,6 +8,7 @@
 
 #include "core/base/sorted_list.hpp"
 #include "core/exact/sign_of_difference.hpp"
+#include "core/filters/steps/gap_strip.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -64,6 +65,11 @@ void clip(std::vector<Corner>& polygon, std::vector<Corner>& room, Distance dist
   polygon.swap(room);
 }
 
+/// A linear function of the place, also beyond the ends.
+double lineAt(const Profile& border, const std::array<double, 2>& values, double along) {
+  return values[0] + (along - border.begin) * ((values[1] - values[0]) / (border.end - border.begin));
+}
+
 struct Profiles {
   Profile first, second;
   Profiles(const GapFrame& frame, const GapBorder& e, const GapBorder& f)
@@ -73,6 +79,33 @@ struct Profiles {
   /// The error of heights, which grows with the slope because places have errors along it.
   [[nodiscard]] double heightSlack() const { return kSlack * (1 + std::max(first.slope(), second.slope())); }
 };
+
+// Every corner that is left of a clipped triangle lies within 2^-10 of the triangle and of the hull of these places:
+// each of six cuts rounds coordinates of 2^37 a few times. The products that compare it with a side are off by less
+// than 2^-11 of the side. The margin of kSlack, 2^-8, is more than both together, so a triangle beyond it has no part
+// that clip() leaves.
+GapStrip stripOf(const Profiles& p, const std::array<double, 2>& ends) {
+  const double low = ends[0] - 2 * kSlack, high = ends[1] + 2 * kSlack;
+  return {{{{low, lineAt(p.first, p.first.across, low) - kSlack},
+            {high, lineAt(p.first, p.first.across, high) - kSlack},
+            {low, lineAt(p.second, p.second.across, low) + kSlack},
+            {high, lineAt(p.second, p.second.across, high) + kSlack}}},
+          kSlack};
+}
+
+/// The heights over a strip at which obstacles matter, `above[0]` over the lower border to `above[1]` over the higher.
+/// clip() cuts nearer to the borders by one slack of heights than findFree() gives here.
+GapStrip::Heights heightsOf(const Profiles& p, const std::array<double, 2>& ends, const std::array<double, 2>& above) {
+  GapStrip::Heights heights;
+  for (const std::size_t i : {0, 1}) {
+    const double along = ends[i] + (i == 0 ? -2 : 2) * kSlack;
+    const auto [low, high] =
+        std::minmax({lineAt(p.first, p.first.height, along), lineAt(p.second, p.second.height, along)});
+    heights.lowest[i] = low + above[0];
+    heights.highest[i] = high + above[1];
+  }
+  return heights;
+}
 
 }  // namespace
 
@@ -163,8 +196,18 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   GapPiece whole = near;
   std::vector<std::array<double, 2>> blocked;
   std::vector<Corner> polygon, room;
+  const GapStrip strip = stripOf(p, near.ends);
+  const GapStrip::Heights heights = heightsOf(p, near.ends, {step_ - 2 * slack, clearance_ + 2 * slack});
+  bool isBlocked = false;  // as a whole, so that no other obstacle matters
   const auto block = [&](Index t) {
     const auto& corners = mesh_.triangles[t];
+    std::array<GapStrip::Place, 3> places;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& c = mesh_.scaled[corners[k]];
+      places[k] = {frame.along(c.x, c.y), frame.across(c.x, c.y)};
+    }
+    const auto zOf = [&](std::size_t k) { return mesh_.scaled[corners[k]].z; };
+    if (strip.isBeyondSide(places) || strip.isOffPlane(places, {zOf(0), zOf(1), zOf(2)}, heights)) return;
     double lowest = kInfinity, highest = -kInfinity;
     for (const Index v : corners) {
       lowest = std::min(lowest, mesh_.scaled[v].z);
@@ -177,14 +220,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
     for (const Profile* low : lower)
       for (const Profile* high : higher) {
         polygon.clear();
-        for (const Index v : corners) {
-          const Vec3& c = mesh_.scaled[v];
-          polygon.push_back({frame.along(c.x, c.y), frame.across(c.x, c.y), c.z});
-        }
-        // A linear function of the place, also beyond the ends.
-        const auto lineAt = [&](const Profile& border, const std::array<double, 2>& values, double along) {
-          return values[0] + (along - border.begin) * ((values[1] - values[0]) / (border.end - border.begin));
-        };
+        for (std::size_t k = 0; k < 3; ++k) polygon.push_back({places[k][0], places[k][1], zOf(k)});
         clip(polygon, room, [&](const Corner& c) { return c[0] - begin + 2 * kSlack; });
         clip(polygon, room, [&](const Corner& c) { return end - c[0] + 2 * kSlack; });
         clip(polygon, room, [&](const Corner& c) { return c[1] - lineAt(p.first, p.first.across, c[0]) + kSlack; });
@@ -202,14 +238,17 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
           whole.touching[0].push_back(t);
         else if (from >= end - kSlack)
           whole.touching[1].push_back(t);
-        else
+        else {
           blocked.push_back({from - kSlack, to + kSlack});
+          isBlocked = isBlocked || (from - kSlack <= begin && to + kSlack >= end);
+        }
       }
   };
   mesh_.tree.visitOverlapping(box, stack_, [&](Index t) {
     if (removed_[t] == 0) block(t);
-    return true;
+    return !isBlocked;
   });
+  if (isBlocked) return {};
   for (std::vector<Index>& some : whole.touching) {
     sortOnce(some);
   }
