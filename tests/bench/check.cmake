@@ -130,7 +130,7 @@ math(EXPR all "${found} + ${none} + ${between}")
 if(NOT all EQUAL 100 OR found LESS 80)
   message(FATAL_ERROR "of 100 pairs ${found} have paths, ${none} have none, ${between} have one on the map alone")
 endif()
-foreach(figure missing surplus lengths)
+foreach(figure missing surplus longer shorter)
   string(JSON value GET "${json}" paths 0 ${figure})
   if(NOT value EQUAL 0)
     message(FATAL_ERROR "${figure} of the house is ${value}")
@@ -140,11 +140,15 @@ file(READ "${SCRATCH}/paths.md" markdown)
 if(NOT markdown MATCHES "\\| house \\| 100 \\| ${found} \\| 0 \\| 1\\.00[0-9]+ \\| (1\\.0|0\\.99)[0-9]+ \\|")
   message(FATAL_ERROR "the table of paths is ${markdown}")
 endif()
-# The polygons around corners are not the filter's, so the lengths differ by more than nothing.
-execute_process(COMMAND "${PROGRAM}" --paths 100 --lengths-within 1e-9 "${HOUSE}:2" --markdown "${SCRATCH}/paths.md"
+# No path is half as long as the shortest one.
+execute_process(COMMAND "${PROGRAM}" --paths 100 --longest 0.5 "${HOUSE}:2" --markdown "${SCRATCH}/paths.md"
                 RESULT_VARIABLE code ERROR_VARIABLE error)
-if(NOT code EQUAL 1 OR NOT error MATCHES "house: of 100 pairs, 0 have .* 0 one .* [1-9][0-9]* two whose lengths differ")
+if(NOT code EQUAL 1 OR NOT error MATCHES "house: of 100 pairs, 0 have .* 0 one on the map .*, [1-9][0-9]* a longer one")
   message(FATAL_ERROR "a claim about paths that fails gives ${code}: ${error}")
+endif()
+file(READ "${SCRATCH}/paths.md" markdown)
+if(NOT markdown MATCHES "\\| house \\| 100 \\| ${found} \\| [1-9]")
+  message(FATAL_ERROR "the table has no claims that failed: ${markdown}")
 endif()
 
 # Scenes: what is given, one of each generated kind, and levels that are turned; worst and mean come first.

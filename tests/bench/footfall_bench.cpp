@@ -21,16 +21,15 @@ using namespace footfall::bench;
 void addPathOptions(CLI::App& app, PathPairs& paths) {
   app.add_option("--paths", paths.pairs,
                  "Instead of times: paths for a radius between so many random pairs of places, on the corridor map and "
-                 "behind a RadiusFilter; the exit code is 1 when only one has a path, or their lengths differ")
+                 "behind a RadiusFilter; the exit code is 1 when only one has a path, or a longer one")
       ->check(CLI::Range(1, 1'000'000))
       ->type_name("PAIRS");
   app.add_option("--radius", paths.radius, "With --paths: the radius, in metres")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
-  app.add_option("--lengths-within", paths.lengthsWithin,
-                 "With --paths: by how much the lengths of both paths may differ")
+  app.add_option("--longest", paths.longest,
+                 "With --paths: a path on the map is at most as many times as long as that behind the filter")
       ->check(CLI::PositiveNumber)
-      ->type_name("PERCENT")
       ->capture_default_str();
 }
 

@@ -14,7 +14,7 @@ struct PathPairs {
   int pairs = 0;
   double radius = 0.3;
   double step = 0.4;
-  double lengthsWithin = 1;  ///< percent: by how much both lengths may differ
+  double longest = 1.01;  ///< a path on the map is at most as many times as long as that behind the filter
 };
 
 /// Runs slopes of 45 degrees, the subject's clearance, the step and an area of 2 m2, without and with a RadiusFilter,
@@ -23,7 +23,8 @@ struct PathPairs {
 /// - `found`: pairs with a path on the map and one behind the filter; `none`: pairs with neither; `between`: pairs with
 ///   one on the map alone, and with none there for 1.02 radii, as the tolerance of the filter allows;
 /// - claims that failed: `missing` (a path behind the filter, none on the map), `surplus` (one on the map for 1.02
-///   radii, none behind the filter) and `lengths` (of found pairs, those whose lengths differ by too much);
+///   radii, none behind the filter), `longer` (the path on the map is too long) and `shorter` (that for 1.02 radii is
+///   too short);
 /// - `longest` and `shortest`: the length on the map over that behind the filter, in the plan;
 /// - `median_ms` and `most_ms`: processor time of a path on the map, of pairs with a path behind the filter; the latter
 ///   is that of 99 %.
