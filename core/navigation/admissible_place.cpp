@@ -57,10 +57,8 @@ std::optional<std::uint32_t> firstWideVertex(const CorridorNetwork& network, con
     queue.pop();
     if (length > lengths[vertex]) continue;
     if (network.vertices()[vertex].distance >= radius) return vertex;
-    for (const std::uint32_t way : network.waysAt(vertex)) {
-      const std::uint32_t next = network.otherEnd(way, vertex);
-      reach(next, length + lengthOf(network.vertices()[next].place - network.vertices()[vertex].place));
-    }
+    for (const CorridorExit& exit : network.exitsAt(vertex))
+      reach(exit.next, length + lengthOf(network.vertices()[exit.next].place - network.vertices()[vertex].place));
   }
   return std::nullopt;
 }

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "core/navigation/body_gates.hpp"
+
 namespace footfall::detail {
 namespace {
 
@@ -18,37 +20,32 @@ constexpr std::size_t kManyOrders = 50000, kMostOrders = 4;
 /// A length that is longer by this factor only, by rounding, may be as short.
 constexpr double kSlack = 1 + 0x1p-31;
 
-/// The apex of a funnel, and the first places of its chains.
-struct TautCone {
-  TautApex apex;
-  std::optional<FieldVector> left, right;
-};
-
-/// A gate of a way, and its place on the axis.
-struct AxisGate {
-  TautGate ends;
-  FieldVector place;
-};
-
 /// A way in the direction in which it is followed, without its first gates, and without its last ones.
 struct BodyStep {
-  std::uint32_t way = 0;
-  bool isForward = true;
-  std::size_t first = 0, last = 0;  ///< gates, in the direction
+  explicit BodyStep(const CorridorExit& exit)
+      : way(exit.way),
+        firstGate(exit.firstGate),
+        gateCount(exit.gateCount),
+        last(gateCount),
+        isForward(exit.isForward) {}
+
+  std::uint32_t way, firstGate, gateCount;
+  std::uint32_t first = 0, last;  ///< gates, in the direction
+  bool isForward;
 };
 
 /// Gates of a disc, made from gates of the axis.
 class GateMaker {
  public:
-  GateMaker(const CorridorNetwork& network, double radius) : network_(network), radius_(radius) {}
+  GateMaker(const CorridorNetwork& network, double radius)
+      : network_(network), radius_(radius), cornerRadius_(radius * polygonFactor()) {}
 
   /// Adds gates behind those from number `begin` on. A way that goes on from another one has its last gate again, in
   /// most cases.
   void add(const BodyStep& step, std::size_t begin, std::vector<AxisGate>& gates) const {
-    const CorridorWay& way = network_.ways()[step.way];
-    for (std::size_t i = step.first; i < step.last; ++i) {
-      const std::size_t at = step.isForward ? i : way.gateCount - 1 - i;
-      const CorridorGate& gate = network_.gates()[way.firstGate + at];
+    for (std::uint32_t i = step.first; i < step.last; ++i) {
+      const std::uint32_t at = step.isForward ? i : step.gateCount - 1 - i;
+      const CorridorGate& gate = network_.gates()[step.firstGate + at];
       const int left = step.isForward ? 0 : 1, right = 1 - left;
       if (gates.size() > begin && gates.back().ends.leftEnd == gate.ends[left] &&
           gates.back().ends.rightEnd == gate.ends[right])
@@ -59,80 +56,13 @@ class GateMaker {
 
  private:
   [[nodiscard]] FieldVector endOf(const CorridorGate& gate, int side) const {
-    const double least = gate.isCorner[side] ? radius_ * polygonFactor() : radius_;
+    const double least = gate.isCorner[side] ? cornerRadius_ : radius_;
     return gate.distance > least ? gate.border[side] + gate.away[side] * least : gate.place;
   }
 
   const CorridorNetwork& network_;
-  double radius_;
+  double radius_, cornerRadius_;
 };
-
-/// Returns whether a place lies between the two spokes of a gate and the straight line between its ends. Then it is in
-/// the empty disc about the gate's place, and a way from there may cross a spoke without crossing the line.
-bool isBetween(const AxisGate& gate, FieldVector p) {
-  const FieldVector corners[] = {gate.ends.left, gate.place, gate.ends.right};
-  const double turn = cross(corners[1] - corners[0], corners[2] - corners[0]), sign = turn < 0 ? -1 : 1;
-  for (int i = 0; i < 3; ++i)
-    if (sign * cross(corners[(i + 1) % 3] - corners[i], p - corners[i]) < 0) return false;
-  return turn != 0;
-}
-
-/// Gates follow each other: an end that roundings have put behind the gate before is the end of that one.
-void keepAhead(TautGate& gate, const TautGate& before) {
-  const FieldVector way = before.left - before.right;
-  if (cross(way, gate.left - before.right) > 0) {
-    gate.left = before.left;
-    gate.leftEnd = before.leftEnd;
-  }
-  if (cross(way, gate.right - before.right) > 0) {
-    gate.right = before.right;
-    gate.rightEnd = before.rightEnd;
-  }
-}
-
-bool isInDisc(const AxisGate& gate, FieldVector p) {
-  return lengthOf(p - gate.place) <=
-         std::max(lengthOf(gate.ends.left - gate.place), lengthOf(gate.ends.right - gate.place));
-}
-
-bool isCrossedAt(const AxisGate& gate, FieldVector apex) { return gate.ends.isOpen || isPassed(gate.ends, apex); }
-
-/// The place at which a way reaches a gate first, and a length that no way to the gate is shorter than.
-struct Arrival {
-  FieldVector place;
-  double length = 0, least = 0;
-};
-
-Arrival arrivalAt(const TautCone& funnel, const AxisGate& gate) {
-  const FieldVector apex = funnel.apex.point.place, left = gate.ends.left, way = gate.ends.right - left;
-  if (isCrossedAt(gate, apex)) return {apex, funnel.apex.length, 0};
-  const auto shareAt = [&](const std::optional<FieldVector>& limit, double end) {
-    if (!limit) return end;
-    const FieldVector ray = *limit - apex;
-    const double share = -cross(ray, left - apex) / cross(ray, way);
-    return share >= 0 && share <= 1 ? share : end;
-  };
-  const double square = dot(way, way), nearest = square > 0 ? dot(apex - left, way) / square : 0;
-  const double low = shareAt(funnel.left, 0), high = std::max(low, shareAt(funnel.right, 1));
-  const FieldVector place = left + way * std::clamp(nearest, low, high);
-  const double length = funnel.apex.lengthTo(place);
-  return {place, length, length};
-}
-
-/// A length that no way through a gate to a place is shorter than.
-double leastThrough(const TautCone& funnel, const AxisGate& gate, FieldVector to) {
-  const FieldVector apex = funnel.apex.point.place, way = gate.ends.left - gate.ends.right;
-  if (isCrossedAt(gate, apex)) return funnel.apex.lengthTo(to);
-  const double square = dot(way, way), before = cross(way, to - gate.ends.right);
-  if (square > 0 && before > 0) to = to - leftOf(way) * (2 * before / square);
-  double least = std::numeric_limits<double>::infinity();
-  for (const bool isLeft : {true, false}) {
-    const std::optional<FieldVector>& limit = isLeft ? funnel.left : funnel.right;
-    if (!limit || (isLeft ? 1 : -1) * cross(*limit - apex, to - apex) <= 0) continue;
-    least = std::min(least, funnel.apex.lengthTo(*limit) + lengthOf(to - *limit));
-  }
-  return std::isfinite(least) ? least : funnel.apex.lengthTo(to);
-}
 
 class BodySearch {
  public:
@@ -191,11 +121,11 @@ class BodySearch {
     return {w.from, w.to};
   }
   /// Numbers of gates of a way before and behind a place on it, in a direction.
-  [[nodiscard]] std::size_t gatesBefore(std::uint32_t number, bool isForward, const CorridorFoot& foot,
-                                        bool isWithin) const {
+  [[nodiscard]] std::uint32_t gatesBefore(std::uint32_t number, bool isForward, const CorridorFoot& foot,
+                                          bool isWithin) const {
     const CorridorWay& way = network_.ways()[number];
     const double place = way.along(foot.place);
-    std::size_t count = 0;
+    std::uint32_t count = 0;
     for (; count < way.gateCount; ++count) {
       const std::size_t at = isForward ? count : way.gateCount - 1 - count;
       const double gate = way.along(network_.gates()[way.firstGate + at].place);
@@ -299,7 +229,7 @@ class BodySearch {
     const bool isForward = vertex == network_.ways()[way].to;
     Label label;
     label.firstStep = steps_.size();
-    steps_.push_back({way, isForward, gatesBefore(way, isForward, from_.foot, true), network_.ways()[way].gateCount});
+    steps_.emplace_back(network_.exitAlong(way, isForward)).first = gatesBefore(way, isForward, from_.foot, true);
     goOn(std::move(label), way, vertex);
   }
 
@@ -311,35 +241,35 @@ class BodySearch {
     Label label;
     label.isAtTarget = true;
     label.firstStep = steps_.size();
-    const std::size_t first = gatesBefore(way, isForward, from_.foot, true);
-    steps_.push_back({way, isForward, first, std::max(first, gatesBefore(way, isForward, to_.foot, false))});
+    BodyStep& step = steps_.emplace_back(network_.exitAlong(way, isForward));
+    step.first = gatesBefore(way, isForward, from_.foot, true);
+    step.last = std::max(step.first, gatesBefore(way, isForward, to_.foot, false));
     label.lastStep = steps_.size();
     push(std::move(label));
   }
 
   /// Returns whether a way may lead on from a vertex to which another way led.
-  [[nodiscard]] bool leadsOn(std::uint32_t way, std::uint32_t vertex, std::uint32_t last) const {
-    if (way == last || network_.ways()[way].least < least_) return false;
-    const std::uint32_t next = network_.otherEnd(way, vertex);
-    return network_.wayInward(next) != way || std::ranges::find(outward_, way) != outward_.end();
+  [[nodiscard]] bool leadsOn(const CorridorExit& exit, std::uint32_t last) const {
+    if (exit.way == last || exit.least < least_) return false;
+    return !exit.isOutward || std::ranges::find(outward_, exit.way) != outward_.end();
   }
 
   /// Goes on where only one way leads on, and pushes the label. `way` leads to `vertex`.
   void goOn(Label&& label, std::uint32_t way, std::uint32_t vertex) {
     for (std::size_t count = 0; count < network_.ways().size(); ++count) {
-      std::uint32_t next = kNone;
+      const CorridorExit* next = nullptr;
       int ways = 0;
-      for (const std::uint32_t other : network_.waysAt(vertex)) {
-        if (other == to_.foot.way) ways = 2;
-        if (!leadsOn(other, vertex, way)) continue;
+      for (const CorridorExit& exit : network_.exitsAt(vertex)) {
+        if (exit.way == to_.foot.way) ways = 2;
+        if (!leadsOn(exit, way)) continue;
         ++ways;
-        next = other;
+        next = &exit;
       }
       if (ways == 0) return;
       if (ways > 1) break;
-      steps_.push_back({next, network_.ways()[next].from == vertex, 0, network_.ways()[next].gateCount});
-      way = next;
-      vertex = network_.otherEnd(way, vertex);
+      steps_.emplace_back(*next);
+      way = next->way;
+      vertex = next->next;
     }
     label.lastStep = steps_.size();
     if (hasPassed(label.before, vertex)) return;
@@ -372,23 +302,23 @@ class BodySearch {
 
   void expand(std::uint32_t number) {
     const std::uint32_t vertex = labels_[number].vertex, last = steps_[labels_[number].lastStep - 1].way;
-    for (const std::uint32_t way : network_.waysAt(vertex)) {
-      const bool isForward = network_.ways()[way].from == vertex;
+    for (const CorridorExit& exit : network_.exitsAt(vertex)) {
+      const std::uint32_t way = exit.way;
       if (way == to_.foot.way && network_.neckBetween(way, network_.footAt(way, vertex), to_.foot).distance >= least_) {
         Label label;
         label.before = number;
         label.isAtTarget = true;
         label.firstStep = steps_.size();
-        steps_.push_back({way, isForward, 0, gatesBefore(way, isForward, to_.foot, false)});
+        steps_.emplace_back(exit).last = gatesBefore(way, exit.isForward, to_.foot, false);
         label.lastStep = steps_.size();
         push(std::move(label));
       }
-      if (!leadsOn(way, vertex, last)) continue;
+      if (!leadsOn(exit, last)) continue;
       Label label;
       label.before = number;
       label.firstStep = steps_.size();
-      steps_.push_back({way, isForward, 0, network_.ways()[way].gateCount});
-      goOn(std::move(label), way, network_.otherEnd(way, vertex));
+      steps_.emplace_back(exit);
+      goOn(std::move(label), way, exit.next);
     }
   }
 

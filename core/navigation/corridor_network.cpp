@@ -89,6 +89,7 @@ CorridorNetwork::CorridorNetwork(const NavigationMesh& mesh, Poll poll)
   numberEnds();
   poll();
   findInward();
+  listExits();
   findWidest();
 }
 
@@ -253,6 +254,27 @@ void CorridorNetwork::findInward() {
       if (--degrees[otherEnd(w, v)] == 1) leaves.push_back(otherEnd(w, v));
     }
   }
+}
+
+CorridorExit CorridorNetwork::exitAlong(std::uint32_t number, bool isForward) const {
+  const CorridorWay& way = ways_[number];
+  const std::uint32_t next = isForward ? way.to : way.from;
+  return {way.least,
+          number,
+          next,
+          static_cast<std::uint32_t>(way.firstGate),
+          static_cast<std::uint32_t>(way.gateCount),
+          isForward,
+          inward_[next] == number};
+}
+
+void CorridorNetwork::listExits() {
+  firstExit_.reserve(vertices_.size() + 1);
+  for (std::uint32_t v = 0; v < vertices_.size(); ++v) {
+    firstExit_.push_back(exits_.size());
+    for (const std::uint32_t w : waysAt_[v]) exits_.push_back(exitAlong(w, ways_[w].from == v));
+  }
+  firstExit_.push_back(exits_.size());
 }
 
 void CorridorNetwork::findWidest() {

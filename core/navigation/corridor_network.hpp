@@ -43,6 +43,15 @@ struct CorridorWay {
   [[nodiscard]] double along(FieldVector p) const { return dot(p, direction); }
 };
 
+/// A way as it leads away from a vertex: what a search reads at every vertex that it passes.
+struct CorridorExit {
+  double least = 0;  ///< that of the way
+  std::uint32_t way = 0, next = 0;
+  std::uint32_t firstGate = 0, gateCount = 0;
+  bool isForward = false;  ///< the way begins at the vertex
+  bool isOutward = false;  ///< it leads into a part without cycles
+};
+
 /// A place on a way, and how far it is from the border there.
 struct CorridorFoot {
   static constexpr std::uint32_t kNone = 0xFFFFFFFF;
@@ -71,9 +80,13 @@ class CorridorNetwork {
   [[nodiscard]] const std::vector<AxisNode>& vertices() const { return vertices_; }
   [[nodiscard]] const std::vector<CorridorWay>& ways() const { return ways_; }
   /// Ways at a vertex, in their order.
-  [[nodiscard]] const std::vector<std::uint32_t>& waysAt(std::uint32_t vertex) const { return waysAt_[vertex]; }
+  [[nodiscard]] std::span<const CorridorExit> exitsAt(std::uint32_t vertex) const {
+    return std::span(exits_).subspan(firstExit_[vertex], firstExit_[vertex + 1] - firstExit_[vertex]);
+  }
   /// Ways over a face.
   [[nodiscard]] const std::vector<std::uint32_t>& waysIn(std::uint32_t face) const { return waysIn_[face]; }
+  /// A way as it leads away from its first vertex, or from its last one.
+  [[nodiscard]] CorridorExit exitAlong(std::uint32_t way, bool isForward) const;
   [[nodiscard]] std::uint32_t otherEnd(std::uint32_t way, std::uint32_t vertex) const {
     return ways_[way].from == vertex ? ways_[way].to : ways_[way].from;
   }
@@ -114,6 +127,7 @@ class CorridorNetwork {
   void shareEnd(std::uint32_t feature, std::size_t gate, int side,
                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& known, std::uint32_t& next);
   void findInward();
+  void listExits();
   void findWidest();
 
   const NavigationMesh& mesh_;
@@ -125,6 +139,8 @@ class CorridorNetwork {
   std::vector<CorridorGate> gates_;
   std::vector<std::vector<std::uint32_t>> waysAt_, waysIn_;  ///< of each vertex; of each face
   std::vector<std::uint32_t> inward_;
+  std::vector<CorridorExit> exits_;
+  std::vector<std::size_t> firstExit_;  ///< of each vertex, and the number of all
   /// A forest over the vertices: parts that were joined, the widest way first, with the number of the joining way in
   /// that order.
   std::vector<std::uint32_t> joinedTo_, joinedBy_, widestFirst_;
