@@ -33,14 +33,15 @@ inline bool isBetween(const AxisGate& gate, FieldVector p) {
   return turn != 0;
 }
 
-/// Gates follow each other: an end that roundings have put behind the gate before is the end of that one.
-inline void keepAhead(TautGate& gate, const TautGate& before) {
+/// Gates follow each other: an end that roundings have put behind the gate before is the end of that one. An end that
+/// is farther than `near` from it is behind the gate's line only, beside the gate.
+inline void keepAhead(TautGate& gate, const TautGate& before, double near) {
   const FieldVector way = before.left - before.right;
-  if (cross(way, gate.left - before.right) > 0) {
+  if (cross(way, gate.left - before.right) > 0 && lengthOf(gate.left - before.left) <= near) {
     gate.left = before.left;
     gate.leftEnd = before.leftEnd;
   }
-  if (cross(way, gate.right - before.right) > 0) {
+  if (cross(way, gate.right - before.right) > 0 && lengthOf(gate.right - before.right) <= near) {
     gate.right = before.right;
     gate.rightEnd = before.rightEnd;
   }

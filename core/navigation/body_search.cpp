@@ -17,6 +17,9 @@ namespace {
 /// A search that has looked at so many orders goes on from the best few of each vertex only, so that it ends.
 constexpr std::size_t kManyOrders = 50000, kMostOrders = 4;
 
+/// Roundings move the ends of gates by less than this share of the mesh's extent.
+constexpr double kNear = 0x1p-20;
+
 /// A length that is longer by this factor only, by rounding, may be as short.
 constexpr double kSlack = 1 + 0x1p-31;
 
@@ -141,7 +144,8 @@ class BodySearch {
     for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], begin, gates);
     for (std::size_t i = begin; i < gates.size(); ++i)
       if (i > begin || label.before != kNone)
-        keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends);
+        keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends,
+                  kNear * network_.field().surface().scale);
     for (std::size_t i = begin; i < gates.size() && firstGate + (i - begin) < label.nearGates; ++i)
       gates[i].ends.isOpen = isBetween(gates[i], from_.place);
   }
