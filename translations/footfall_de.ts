@@ -4,6 +4,14 @@
 <context>
     <name>Core</name>
     <message>
+        <source>the radius must be a number above 0; leave it out for an agent without a body</source>
+        <translation>der Radius muss eine Zahl über 0 sein; für einen Agenten ohne Körper lassen Sie ihn weg</translation>
+    </message>
+    <message>
+        <source>the width of passages must be a number of at least 0</source>
+        <translation>die Breite von Durchgängen muss eine Zahl von mindestens 0 sein</translation>
+    </message>
+    <message>
         <source>node &apos;%1&apos; refers to a mesh that does not exist</source>
         <translation>Knoten „%1“ verweist auf ein Netz, das es nicht gibt</translation>
     </message>
