@@ -7,17 +7,6 @@ using namespace footfall::c;
 
 namespace {
 
-Vec3 placeOf(const double* place, const char* name) {
-  given(place, name);
-  return {place[0], place[1], place[2]};
-}
-
-void copyTo(const Vec3& from, double* to) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-}
-
 // The numbers in footfall.h are those of the library.
 static_assert(static_cast<int>(BodyPathStatus::NoPath) == FOOTFALL_BODY_PATH_NONE &&
               static_cast<int>(BodyPathStatus::StartTooNear) == FOOTFALL_BODY_PATH_START_TOO_NEAR &&
@@ -46,7 +35,7 @@ footfall_status footfall_find_body_path(const footfall_body_path_finder* finder,
     const Environment& environment = *finder->environment;
     const Pipeline& pipeline = finder->pipeline;
     auto found = std::make_unique<footfall_body_path>();
-    found->path = finder->finder->find(placeOf(from, "from"), placeOf(to, "to"), {radius, preferred_width},
+    found->path = finder->finder->find(placeFrom(from, "from"), placeFrom(to, "to"), {radius, preferred_width},
                                        placeReach(pipeline), contextOf(context));
     PathResult& way = found->path.path;
     if (found->path.status == BodyPathStatus::NoPath && way.status == PathStatus::NotConnected && way.drops.empty()) {

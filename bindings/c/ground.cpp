@@ -9,11 +9,6 @@ using namespace footfall::c;
 
 namespace {
 
-Vec3 pointOf(const double* point, const char* name) {
-  given(point, name);
-  return {point[0], point[1], point[2]};
-}
-
 footfall_place placeOf(const SurfacePlace& place) {
   return {{place.position.x, place.position.y, place.position.z}, place.triangle, place.distance};
 }
@@ -35,7 +30,7 @@ footfall_status footfall_place_at(const footfall_path_finder* finder, const doub
   return guarded(__func__, [&] {
     given(finder, "finder");
     given(place, "place");
-    *place = placeOf(finder->finder.locate(pointOf(point, "point"), placeReach(finder->pipeline)));
+    *place = placeOf(finder->finder.locate(placeFrom(point, "point"), placeReach(finder->pipeline)));
   });
 }
 
@@ -44,7 +39,7 @@ footfall_status footfall_nearest_place(const footfall_path_finder* finder, const
   return guarded(__func__, [&] {
     given(finder, "finder");
     given(place, "place");
-    *place = placeOf(nearestPlace(finder->finder, pointOf(point, "point")));
+    *place = placeOf(nearestPlace(finder->finder, placeFrom(point, "point")));
   });
 }
 
@@ -63,8 +58,8 @@ footfall_status footfall_cast_ray(const footfall_path_finder* finder, const doub
   return guarded(__func__, [&] {
     given(finder, "finder");
     given(ray, "ray");
-    const auto found = castRay(finder->finder, pointOf(from, "from"), pointOf(to, "to"), placeReach(finder->pipeline),
-                               contextOf(context));
+    const auto found = castRay(finder->finder, placeFrom(from, "from"), placeFrom(to, "to"),
+                               placeReach(finder->pipeline), contextOf(context));
     const footfall_place none = placeOf(std::nullopt);
     *ray = found ? rayOf(*found) : footfall_ray{none, none, 0, 0, {FOOTFALL_NONE, FOOTFALL_NONE}};
   });
@@ -76,7 +71,7 @@ footfall_status footfall_cast_ray_from(const footfall_path_finder* finder, const
     given(finder, "finder");
     given(start, "start");
     given(ray, "ray");
-    const SurfacePlace place{pointOf(start->position, "start"), start->triangle, start->distance};
-    *ray = rayOf(castRayFrom(finder->finder, place, pointOf(to, "to"), contextOf(context)));
+    const SurfacePlace place{placeFrom(start->position, "start"), start->triangle, start->distance};
+    *ray = rayOf(castRayFrom(finder->finder, place, placeFrom(to, "to"), contextOf(context)));
   });
 }

@@ -90,6 +90,17 @@ T& given(T* argument, const char* name) {
   return *argument;
 }
 
+/// A place from three numbers; throws InputError when there are none.
+inline Vec3 placeFrom(const double* numbers, const char* name) {
+  given(numbers, name);
+  return {numbers[0], numbers[1], numbers[2]};
+}
+inline void copyTo(const Vec3& from, double* to) {
+  to[0] = from.x;
+  to[1] = from.y;
+  to[2] = from.z;
+}
+
 /// A handle, or null where it may be left out.
 inline RunContext* contextOf(footfall_context* context) { return context == nullptr ? nullptr : &context->context; }
 inline ResultCache* cacheOf(footfall_cache* cache) { return cache == nullptr ? nullptr : &cache->cache; }

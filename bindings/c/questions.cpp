@@ -10,17 +10,6 @@ using namespace footfall::c;
 
 namespace {
 
-Vec3 placeOf(const double* place, const char* name) {
-  given(place, name);
-  return {place[0], place[1], place[2]};
-}
-
-void copyTo(const Vec3& from, double (&to)[3]) {
-  to[0] = from.x;
-  to[1] = from.y;
-  to[2] = from.z;
-}
-
 // The numbers in footfall.h are those of the library.
 static_assert(static_cast<int>(PathStatus::NotConnected) == FOOTFALL_PATH_NOT_CONNECTED &&
               static_cast<int>(LinkKind::Touch) == FOOTFALL_LINK_TOUCH &&
@@ -103,8 +92,8 @@ footfall_status footfall_find_path(const footfall_path_finder* finder, const dou
     given(path, "path");
     auto found = std::make_unique<footfall_path>();
     const Environment& environment = *finder->environment;
-    found->path =
-        finder->finder.find(placeOf(from, "from"), placeOf(to, "to"), placeReach(finder->pipeline), contextOf(context));
+    found->path = finder->finder.find(placeFrom(from, "from"), placeFrom(to, "to"), placeReach(finder->pipeline),
+                                      contextOf(context));
     if (found->path.status == PathStatus::NotConnected) {
       const SeparationFinder separations(finder->finder, finder->environment,
                                          agentHeight(finder->pipeline, environment.metresPerUnit),
@@ -170,7 +159,7 @@ footfall_status footfall_explain(const footfall_inspector* inspector, const doub
   return guarded(__func__, [&] {
     given(inspector, "inspector");
     given(explanation, "explanation");
-    const Vec3 asked = placeOf(point, "point");
+    const Vec3 asked = placeFrom(point, "point");
     const std::optional<PickedPlace> place = inspector->inspector.placeBelow(asked);
     if (!place) throw InputError(Pattern{"no triangle is at or under the place; give a point above a floor"});
     const PlaceExplanation found = inspector->inspector.explain(*place, contextOf(context));

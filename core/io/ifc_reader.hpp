@@ -22,8 +22,8 @@ namespace footfall::detail {
 /// found.
 std::optional<std::string> findIfcConverter();
 
-/// What is typed in a terminal to install the converter: the path of ifc.sh of the sources or of an installation, which
-/// is looked for beside the program or library. Empty when it is not found.
+/// The command that installs the converter, as typed in a terminal: the path of ifc.sh of the sources or of an
+/// installation, which is looked for beside the program or library. Empty when it is not found.
 std::optional<std::string> ifcInstallCommand();
 
 /// The advice that says how the converter is installed: by ifcInstallCommand(), or where to read about it.

@@ -17,7 +17,8 @@ namespace {
 /// A search that has looked at so many orders goes on from the best few of each vertex only, so that it ends.
 constexpr std::size_t kManyOrders = 50000, kMostOrders = 4;
 
-/// Roundings move the ends of gates by less than this share of the mesh's extent.
+/// Ends of gates that lie behind the gate before by less than this share of the mesh's extent count as moved by
+/// roundings. No bound is proven. The share changes which way is found, never whether there is one.
 constexpr double kNear = 0x1p-20;
 
 /// A length that is longer by this factor only, by rounding, may be as short.
@@ -339,7 +340,7 @@ class BodySearch {
         passed.push_back(apex);
         return true;
       });
-    // What is left of the funnel is one chain to the target.
+    // The funnel ends at the target, so one of its chains leads there.
     for (const TautChain* chain : {&funnel_.left, &funnel_.right})
       for (std::size_t i = 0; i < chain->size() && (chain == &funnel_.left || funnel_.left.size() == 0); ++i)
         passed.push_back({chain->at(i), passed.back().lengthTo(chain->at(i).place)});

@@ -17,9 +17,10 @@
 // - it comes to a vertex v, and another order has come there on a way that is shorter even with the straight line to
 //   any place of this order's gate: both are in the empty disc about v, of which D(v) - r is free, and it is convex;
 // - it passes a vertex twice (the disc again), or goes into a part of the axis without cycles that has no target.
-// Where orders are very many, as between rows of equal containers, this ends in reasonable time only because of the
-// last rule: after 50,000 orders, the four that came to a vertex first go on from it. Then the way may not be the
-// shortest. Lengths are sums of rounded numbers; an order that is longer by less than 2^-31 of the length stays.
+// There may be very many orders, as between rows of equal containers. After 50,000 orders the search goes on from a
+// vertex only with the four that came there first, and the way may not be the shortest. Lengths are sums of rounded
+// numbers; an order that is longer by less than 2^-31 of the length stays. Rounded ends of gates may be out of order,
+// too (keepAhead() in body_gates.hpp); how much longer that can make a way is not proven.
 #pragma once
 
 #include <cstddef>

@@ -129,7 +129,7 @@ void CorridorNetwork::addGates(CorridorWay& way) {
     for (int i = 1; i < pieces; ++i) {
       const double angle = turn * i / pieces;
       const FieldVector ahead = (first * std::cos(angle) + leftOf(first) * std::sin(angle)) * (1 / length);
-      // As far from the corner as from the other feature.
+      // The place is as far from the corner as from the other feature.
       const FieldVector across = other->place - corner->place;
       const double distance = other->isCorner() ? dot(across, across) / (2 * dot(ahead, across))
                                                 : -dot(across, other->inward) / (1 - dot(ahead, other->inward));

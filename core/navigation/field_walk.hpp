@@ -9,9 +9,9 @@
 
 namespace footfall::detail {
 
-/// Which faces the line from one place to another one crosses. Each corner lies on the left or on the right of the
-/// line, as one formula says; so neighbouring faces agree, and the walk comes through, wherever roundings put corners
-/// that are next to the line.
+/// Finds the faces that the line from one place to another one crosses. Each corner lies on the left or on the right of
+/// the line, as one formula says; so neighbouring faces agree, and the walk comes through, wherever roundings put
+/// corners that are next to the line.
 class FieldWalk {
  public:
   FieldWalk(const FieldSurface& surface, std::uint32_t face, FieldVector from, FieldVector to)

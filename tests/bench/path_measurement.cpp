@@ -50,7 +50,7 @@ std::string pipelineText(const Subject& subject, const PathPairs& asked, bool ha
   return text;
 }
 
-/// What a value of so large a share is at most.
+/// The value that so large a share of the values does not exceed.
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());

@@ -28,7 +28,7 @@ struct PathPairs {
 /// - `longest` and `shortest`: the length on the map over that behind the filter, in the plan;
 /// - `median_ms` and `most_ms`: processor time of a path on the map, of pairs with a path behind the filter; the latter
 ///   is that of 99 %.
-/// To be run isolated.
+/// The caller runs it isolated.
 Json measurePaths(const Subject& subject, const PathPairs& asked, int threads);
 
 /// The table of the list `paths` of runBenchmark().

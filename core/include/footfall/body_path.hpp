@@ -69,7 +69,7 @@ struct BodyPath {
 /// A way leads where a place is at least the radius away from the border, as RadiusFilter defines it, up to 2^-36 of
 /// the mesh's extent: a way behind a RadiusFilter with the same radius is one here, and a way here for a radius that is
 /// larger by twice the filter's tolerance is one behind the filter. Drops are not taken. The path is the shortest one
-/// up to rounding and to the polygons around arcs (core/navigation/body_search.hpp).
+/// up to rounding and to the polygons around arcs; core/navigation/body_search.hpp says when it may be longer.
 class BodyPathFinder {
  public:
   /// Throws Cancelled when `context` (may be null) is cancelled.

@@ -18,7 +18,7 @@ namespace footfall::detail {
 
 /// The polygons of a layer, or of all layers: POLYGON where there is one, POLYGON EMPTY where there is none, else a
 /// GEOMETRYCOLLECTION of them. MULTIPOLYGON is not used, because it forbids the borders that neighbouring parts share.
-/// With ExportOptions::part (from 0), only the polygons of that connected part.
+/// ExportOptions::part (from 0) limits it to the polygons of that connected part.
 std::string formatLayerWkt(const NavigationMesh& mesh, const PlanPolygons& polygons, std::optional<std::uint32_t> layer,
                            const ExportOptions& options = {}, Poll poll = {});
 

@@ -118,7 +118,7 @@ class TestCorridors : public EditorSuite {
     QTRY_VERIFY(!isLike(colourInView(*window_, beside), widthColour(1)));
     panel().setMapShown(true);
     QTRY_VERIFY(isLike(colourInView(*window_, beside), widthColour(1)));
-    // With the panel, the map goes, and so does its memory.
+    // Closing the panel removes the map and frees its memory.
     dock()->close();
     QTRY_VERIFY(!isLike(colourInView(*window_, beside), widthColour(1)));
     QVERIFY(feature().watch().shown() == nullptr);
@@ -141,7 +141,7 @@ class TestCorridors : public EditorSuite {
       QVERIFY(isLike(colourInView(*window_, {4.5, y, 0}), toColour(kYellow)));
     }
     shoot(*window_, "corridors-framed");
-    // By keyboard as well.
+    // Return does the same as a click.
     const Vec3 framed = pose().position;
     window_->view().cameraController().fit();
     table->setFocus();
