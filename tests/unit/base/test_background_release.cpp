@@ -47,7 +47,7 @@ void TestBackgroundRelease::theCallerNeverFrees() {
   std::atomic<bool> elsewhere = true;
   for (int i = 0; i < 50000; ++i) {
     std::atomic<bool> gone = false;
-    releaseInBackground(std::make_shared<Told>(gone, elsewhere));
+    releaseInBackground(std::shared_ptr<Told>(new Told{gone, elsewhere}));
     while (!gone) std::this_thread::yield();
   }
   QVERIFY(elsewhere);
