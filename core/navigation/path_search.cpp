@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <unordered_map>
 #include <utility>
 
 #include "core/exact/source_predicates.hpp"
@@ -18,6 +19,7 @@ namespace {
 /// A directed line through two given points; points are fans, or kNoElement for the start.
 struct Line {
   std::uint32_t from = kNoElement, to = kNoElement;
+  bool operator==(const Line&) const = default;
 };
 
 /// Seen from `root`, through the side of `triangle`, between the lines `left` and `right`. Looking into the triangle,
@@ -35,14 +37,48 @@ struct Node {
   std::uint32_t bend = kNoElement;
 };
 
+/// Lengths differ by no more than this share of themselves where only rounding tells them apart; see isOvertaken().
+constexpr double kRounding = 0x1p-31;
+
+/// How a root has been reached.
+struct Reached {
+  double length = std::numeric_limits<double>::infinity();  ///< the shortest one
+  std::int32_t by = -1;                                     ///< the node from which it was reached last
+  bool isOften = false;                                     ///< from several nodes, on ways of nearly that length
+};
+
+/// What a node sees: two nodes with equal views have the same paths behind them. Lines at ends are left out, as the
+/// root and the end determine them.
+struct View {
+  std::uint32_t triangle, side, root;
+  Line left, right;
+  bool leftAtEnd, rightAtEnd;
+
+  explicit View(const Node& node)
+      : triangle(node.triangle),
+        side(node.side),
+        root(node.root),
+        left(node.leftAtEnd ? Line{} : node.left),
+        right(node.rightAtEnd ? Line{} : node.right),
+        leftAtEnd(node.leftAtEnd),
+        rightAtEnd(node.rightAtEnd) {}
+  bool operator==(const View&) const = default;
+};
+
+struct ViewHash {
+  std::size_t operator()(const View& view) const {
+    std::uint64_t hash = 0;
+    for (const std::uint32_t part : {view.triangle, view.side, view.root, view.left.from, view.left.to, view.right.from,
+                                     view.right.to, view.leftAtEnd + 2U * view.rightAtEnd})
+      hash = (hash ^ part) * 0x9E3779B97F4A7C15U;
+    return static_cast<std::size_t>(hash ^ (hash >> 32));
+  }
+};
+
 class Search {
  public:
   Search(const NavigationMesh& mesh, const SurfaceTopology& topology, const Vec3& start, const Vec3& goal)
-      : mesh_(mesh),
-        topology_(topology),
-        start_(start),
-        goal_(goal),
-        rootLengths_(topology.fanVertices.size(), std::numeric_limits<double>::infinity()) {}
+      : mesh_(mesh), topology_(topology), start_(start), goal_(goal), reached_(topology.fanVertices.size()) {}
 
   SidePath run(std::uint32_t startTriangle, std::uint32_t goalTriangle, Poll poll) {
     goalTriangles_ = trianglesAt(goal_, goalTriangle);
@@ -137,8 +173,14 @@ class Search {
     node.parent = parent;
     if (node.root != kNoElement) {
       if (isOvertaken(node)) return;
-      double& shortest = rootLengths_[node.root];
-      shortest = std::min(shortest, node.length);
+      Reached& reached = reached_[node.root];
+      if (nodes_[parent].root != node.root) {
+        const bool isAsLong = reached.length <= node.length * (1 + kRounding);
+        reached.isOften = isAsLong && (reached.isOften || reached.by != parent);
+        reached.by = parent;
+      }
+      reached.length = std::min(reached.length, node.length);
+      if (reached.isOften && !isShortest(node)) return;
     }
     double bound = node.length + leastLength(node);
     if (!(bound >= node.length)) bound = node.length;  // not a number: coordinates so small that squares vanish
@@ -150,7 +192,18 @@ class Search {
   /// numbers, fewer than 2^20 in any mesh that fits into memory: they are off by less than 2^-32 of themselves, and
   /// what is only longer by this may be as short and stays.
   [[nodiscard]] bool isOvertaken(const Node& node) const {
-    return node.root != kNoElement && node.length > rootLengths_[node.root] * (1 + 0x1p-31);
+    return node.root != kNoElement && node.length > reached_[node.root].length * (1 + kRounding);
+  }
+
+  /// Whether no node with the same view that was compared here is as short; remembers the node if so. Only roots that
+  /// were reached several times on ways of nearly one length need it. Corners that lie closer together than
+  /// isOvertaken() tells apart, and blocks in rows, would otherwise be searched once for each combination of such ways.
+  bool isShortest(const Node& node) {
+    const auto [known, isNew] = views_.try_emplace(View(node), node.length);
+    if (isNew) return true;
+    if (node.length >= known->second) return false;
+    known->second = node.length;
+    return true;
   }
 
   /// A lower bound of the length from the root through the interval to the goal, but for rounding.
@@ -266,7 +319,8 @@ class Search {
   Vec3 start_, goal_;
   std::vector<std::uint32_t> goalTriangles_;
   std::vector<Node> nodes_;
-  std::vector<double> rootLengths_;  ///< shortest known length to each fan
+  std::vector<Reached> reached_;                      ///< each fan, as a root
+  std::unordered_map<View, double, ViewHash> views_;  ///< the shortest length to the root of each view
   /// The largest first: minus the least length, then the newest node, which is the nearest to a goal.
   std::priority_queue<std::pair<double, std::int32_t>> open_;
 };
