@@ -21,8 +21,9 @@ namespace {
 struct CorridorsOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
-  std::optional<double> narrowerThan;  ///< in the file's units
-  std::optional<double> widerThan;     ///< in the file's units; empty: kNarrowest
+  std::optional<double> narrowerThan;          ///< in the file's units
+  std::optional<double> widerThan;             ///< in the file's units; empty: kNarrowest
+  double prominence = 100 * kUsualProminence;  ///< in percent
   CorridorOptions map;
   std::string output;  ///< empty: no file
   int threads = 0;
@@ -41,6 +42,8 @@ void checkCorridors(const CorridorsOptions& options) {
     throw InputError("--narrower-than: must be a width in the file's units; give a number above 0");
   if (options.widerThan && !(std::isfinite(*options.widerThan) && *options.widerThan >= 0))
     throw InputError("--wider-than: must be a width in the file's units; give a number that is not negative");
+  if (!(std::isfinite(options.prominence) && options.prominence >= 0))
+    throw InputError("--prominence: must be a share in percent; give a number that is not negative");
 }
 
 /// Lengths to six digits, which are enough to read.
@@ -67,6 +70,16 @@ std::string lineOf(const Bottleneck& b, const CorridorMap& map) {
   return text + '\n';
 }
 
+/// What the list leaves out, for the line above it; empty where that is nothing.
+std::string leftOut(std::size_t slits, const std::string& least, std::size_t shallow, const std::string& percent) {
+  std::string text;
+  if (slits > 0) text += "; left out: " + std::to_string(slits) + ", at most " + least + " wide";
+  if (shallow > 0)
+    text += (text.empty() ? "; left out: " : "; ") + std::to_string(shallow) +
+            ", behind which the way gets wider by less than " + percent + " %";
+  return text;
+}
+
 void findCorridors(const CorridorsOptions& options) {
   checkCorridors(options);
   std::optional<Pipeline> pipeline = options.pipeline.given();
@@ -82,11 +95,15 @@ void findCorridors(const CorridorsOptions& options) {
   const double most = options.narrowerThan.value_or(std::numeric_limits<double>::infinity());
   const double least = options.widerThan.value_or(kNarrowest / environment->metresPerUnit);
   std::string lines;
-  std::size_t count = 0, slits = 0;
+  std::size_t count = 0, slits = 0, shallow = 0;
   for (const Bottleneck& b : map.bottlenecks) {
     if (b.width >= most) break;
     if (b.width <= least) {
       ++slits;
+      continue;
+    }
+    if (100 * prominence(map, b) < options.prominence) {
+      ++shallow;
       continue;
     }
     lines += lineOf(b, map);
@@ -95,8 +112,7 @@ void findCorridors(const CorridorsOptions& options) {
   print("corridor map of " + counted(map.vertices.size(), "vertex", "vertices") + " and " +
         counted(map.edges.size(), "edge", "edges") + "; " + counted(count, "bottleneck", "bottlenecks") +
         (options.narrowerThan ? " narrower than " + shownNumber(*options.narrowerThan) : "") +
-        (slits > 0 ? "; left out: " + std::to_string(slits) + ", at most " + shownNumber(least) + " wide" : "") + '\n' +
-        lines);
+        leftOut(slits, shownNumber(least), shallow, shownNumber(options.prominence)) + '\n' + lines);
 }
 
 }  // namespace
@@ -115,6 +131,13 @@ void addCorridorsCommand(CLI::App& app) {
       .add_option("--wider-than", options->widerThan,
                   "List only bottlenecks wider than this, in the file's units; 0.1 m by default, and 0 lists all")
       ->type_name("W");
+  command
+      .add_option(
+          "--prominence", options->prominence,
+          "List only bottlenecks from which the way gets wider by at least this share on both sides, in percent; "
+          "0 lists all")
+      ->type_name("PERCENT")
+      ->capture_default_str();
   command.add_flag("--full", options->map.full, "Keep the pieces of the map that lead into convex corners");
   command
       .add_option("-o,--output", options->output,

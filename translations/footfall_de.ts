@@ -4414,6 +4414,13 @@
             <numerusform>%n Schlitze von höchstens %1 sind weggelassen.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n places are left out from which the way gets wider by less than %1 %.</source>
+        <translation>
+            <numerusform>%n Stelle ist weggelassen, hinter der der Weg um weniger als %1 % breiter wird.</numerusform>
+            <numerusform>%n Stellen sind weggelassen, hinter denen der Weg um weniger als %1 % breiter wird.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Measured without the filter Radius, which makes passages narrower.</source>
         <translation>Gemessen ohne den Filter Radius, der Durchgänge schmaler macht.</translation>

@@ -62,6 +62,13 @@
 <context>
     <name>footfall::ui::CorridorsPanel</name>
     <message numerus="yes">
+        <source>%n places are left out from which the way gets wider by less than %1 %.</source>
+        <translation>
+            <numerusform>%n place is left out from which the way gets wider by less than %1 %.</numerusform>
+            <numerusform>%n places are left out from which the way gets wider by less than %1 %.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n slits of at most %1 are left out.</source>
         <translation>
             <numerusform>%n slit of at most %1 is left out.</numerusform>

@@ -138,6 +138,12 @@ void bindMap(py::class_<CorridorMap, SharedMap>& map) {
       .def_property_readonly(
           "bottlenecks", [](const CorridorMap& m) { return m.bottlenecks; },
           "A list of `Bottleneck`, the narrowest first.")
+      .def(
+          "prominence", [](const CorridorMap& m, const Bottleneck& b) { return prominence(m, b); },
+          py::arg("bottleneck"),
+          "Return how much wider the way gets on the less wide side of one of these bottlenecks, over its width: a "
+          "float, "
+          "0.05 for 5 %. Of a passage with rough borders the narrowest place has a large one.")
       .def("__repr__", [](const CorridorMap& m) {
         return "<footfall.CorridorMap: " + std::to_string(m.vertices.size()) + " places, " +
                std::to_string(m.edges.size()) + " edges, " + std::to_string(m.bottlenecks.size()) + " bottlenecks>";

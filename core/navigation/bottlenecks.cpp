@@ -3,11 +3,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/base/disjoint_sets.hpp"
 #include "core/navigation/corridor_graph.hpp"
 
-namespace footfall::detail {
+namespace footfall {
+namespace detail {
 namespace {
 
 constexpr std::uint32_t kNoEdge = 0xFFFFFFFF;
@@ -42,18 +44,25 @@ class BottleneckFinder {
 
   std::vector<Bottleneck> find() {
     findBridges();
-    std::vector<Bottleneck> found;
-    for (const auto& nodes : valleys()) {
+    std::vector<Found> found;
+    for (auto& nodes : valleys()) {
       poll_();
-      add(nodes, found);
+      if (const auto bottleneck = bottleneckOf(nodes)) found.push_back({*bottleneck, std::move(nodes)});
     }
     std::stable_sort(found.begin(), found.end(),
-                     [](const Bottleneck& a, const Bottleneck& b) { return a.width < b.width; });
+                     [](const Found& a, const Found& b) { return a.bottleneck.width < b.bottleneck.width; });
     findWidest(found);
-    return found;
+    std::vector<Bottleneck> bottlenecks;
+    for (const Found& f : found) bottlenecks.push_back(f.bottleneck);
+    return bottlenecks;
   }
 
  private:
+  struct Found {
+    Bottleneck bottleneck;
+    std::vector<std::uint32_t> nodes;  ///< its valley
+  };
+
   [[nodiscard]] std::vector<std::uint32_t> neighbours(std::uint32_t node) const {
     std::vector<std::uint32_t> nodes;
     if (node >= map_.vertices.size()) {
@@ -117,15 +126,15 @@ class BottleneckFinder {
     return std::find(nodes.begin(), nodes.end(), v) != nodes.end();
   }
 
-  void add(const std::vector<std::uint32_t>& nodes, std::vector<Bottleneck>& found) const {
+  [[nodiscard]] std::optional<Bottleneck> bottleneckOf(const std::vector<std::uint32_t>& nodes) const {
     const std::uint32_t e = edgeOf(nodes);
-    if (e == kNoEdge) return;
+    if (e == kNoEdge) return std::nullopt;
     const CorridorEdge& edge = map_.edges[e];
     // A place that does not get wider on at least two sides is the end of a way.
     std::size_t wider = 0;
     for (const std::uint32_t node : nodes)
       for (const std::uint32_t next : neighbours(node)) wider += isWithin(nodes, next) ? 0 : 1;
-    if (wider < 2) return;
+    if (wider < 2) return std::nullopt;
     Bottleneck b;
     b.edge = e;
     b.width = widths_[nodes.front()];
@@ -144,10 +153,10 @@ class BottleneckFinder {
       b.left = between(edge.left[0], edge.left[1], share);
       b.right = between(edge.right[0], edge.right[1], share);
     }
-    if (acrossPlan(b.left, b.right) < b.width * (1 - kNotOpposite)) return;
+    if (acrossPlan(b.left, b.right) < b.width * (1 - kNotOpposite)) return std::nullopt;
     b.isOnlyWay = isBridge_[e] != 0;
     if (b.isOnlyWay) setAreas(e, share, b);
-    found.push_back(b);
+    return b;
   }
 
   /// The corner on either side; where there is one only, the other place lies as far on the other side.
@@ -219,8 +228,9 @@ class BottleneckFinder {
     b.sides[1].area = (isFromLower ? other : below_[e]) + (1 - share) * edge.area;
   }
 
-  /// Puts the map together again, the widest edges first, up to each bottleneck.
-  void findWidest(std::vector<Bottleneck>& found) const {
+  /// Unites the map again, the widest edges first, up to each bottleneck. A bottleneck is united after its sides are
+  /// known, so that of several bottlenecks with one width, the first one has sides behind the others.
+  void findWidest(std::vector<Found>& found) const {
     std::vector<std::uint32_t> order(map_.edges.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
@@ -228,16 +238,25 @@ class BottleneckFinder {
     DisjointSets sets(map_.vertices.size());
     std::vector<std::uint32_t> widest(map_.vertices.size());
     std::iota(widest.begin(), widest.end(), 0);
+    const auto unite = [&](std::uint32_t e) {
+      const Index from = static_cast<Index>(map_.edges[e].from), to = static_cast<Index>(map_.edges[e].to);
+      const std::uint32_t v = widest[sets.find(from)], w = widest[sets.find(to)];
+      sets.unite(from, to);
+      widest[sets.find(from)] = widths_[w] > widths_[v] ? w : v;
+    };
     std::size_t done = 0;
-    for (auto b = found.rbegin(); b != found.rend(); ++b) {
-      for (; done < order.size() && map_.edges[order[done]].width > b->width * (1 + kSameWidth); ++done) {
-        const CorridorEdge& edge = map_.edges[order[done]];
-        const std::uint32_t v = widest[sets.find(static_cast<Index>(edge.from))],
-                            w = widest[sets.find(static_cast<Index>(edge.to))];
-        sets.unite(static_cast<Index>(edge.from), static_cast<Index>(edge.to));
-        widest[sets.find(static_cast<Index>(edge.from))] = widths_[w] > widths_[v] ? w : v;
+    for (auto f = found.rbegin(); f != found.rend(); ++f) {
+      Bottleneck& b = f->bottleneck;
+      for (; done < order.size() && map_.edges[order[done]].width > b.width * (1 + kSameWidth); ++done)
+        unite(order[done]);
+      for (int side = 0; side < 2; ++side) b.sides[side].widest = widestFrom(b, side, sets, widest);
+      for (const std::uint32_t node : f->nodes) {
+        if (node >= map_.vertices.size()) {
+          unite(narrowEdges_[node - map_.vertices.size()]);
+        } else {
+          for (const std::uint32_t e : edges_[node]) unite(e);
+        }
       }
-      for (int side = 0; side < 2; ++side) b->sides[side].widest = widestFrom(*b, side, sets, widest);
     }
   }
 
@@ -278,4 +297,12 @@ std::vector<Bottleneck> findBottlenecks(const CorridorMap& map, const std::vecto
   return BottleneckFinder(map, hidden, poll).find();
 }
 
-}  // namespace footfall::detail
+}  // namespace detail
+
+double prominence(const CorridorMap& map, const Bottleneck& bottleneck) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const BottleneckSide& side : bottleneck.sides) least = std::min(least, map.vertices[side.widest].width);
+  return least / bottleneck.width - 1;
+}
+
+}  // namespace footfall

@@ -42,8 +42,8 @@ struct CorridorEdge {
 
 /// The area on one side of a bottleneck.
 struct BottleneckSide {
-  /// The widest vertex that is reached on this side without going through anything as narrow; an agent that fits
-  /// through the bottleneck gets there.
+  /// The widest vertex that is reached on this side without going through anything narrower, or through a bottleneck
+  /// that is as narrow and comes earlier in the list; an agent that fits through the bottleneck gets there.
   std::uint32_t widest = 0;
   double area = 0;  ///< in the plan, of all that is on this side, where the bottleneck is the only way; else 0
 };
@@ -57,6 +57,9 @@ struct Bottleneck {
   bool isOnlyWay = false;  ///< between its sides
   std::array<BottleneckSide, 2> sides{};  ///< at the edge's start, and at its end
 };
+
+/// Bottlenecks with a smaller prominence are bends of one passage, and are not worth a line in a list.
+inline constexpr double kUsualProminence = 0.05;
 
 /// The medial axis of a walkable area as a graph, over its layers, steps and gaps (van Toll, Cook and Geraerts).
 struct CorridorMap {
@@ -77,6 +80,10 @@ struct CorridorOptions {
 /// what formulas lose where borders are nearly parallel. Throws Cancelled.
 CorridorMap makeCorridorMap(const NavigationMesh& mesh, const CorridorOptions& options = {},
                             const RunContext* context = nullptr);
+
+/// How much wider the way gets on the less wide side of a bottleneck, over the bottleneck's width: 0.05 for 5 %. The
+/// narrowest place of a passage whose borders are rough has a large one, the others next to it have small ones.
+double prominence(const CorridorMap& map, const Bottleneck& bottleneck);
 
 /// The map as JSON (docs/reference/corridors.schema.json), in the frame and the units of its file.
 std::string formatCorridorsJson(const CorridorMap& map);

@@ -19,6 +19,7 @@ class Corridors(unittest.TestCase):
     def test_bottlenecks(self):
         self.assertEqual(len(self.map.bottlenecks), 1)
         door = self.map.bottlenecks[0]
+        self.assertGreater(self.map.prominence(door), 0.5)
         self.assertAlmostEqual(door.width, 1)
         self.assertAlmostEqual(door.place[1], 1.5)
         self.assertEqual(sorted(np.round([door.left[1], door.right[1]], 9)), [1, 2])

@@ -164,6 +164,22 @@ class TestCorridors : public EditorSuite {
     QVERIFY(panel().model().rowCount() > 1);
   }
 
+  void ofARoughPassageOnePlaceIsListed() {
+    // In the middle, the passage has a small niche on either side.
+    const QByteArray rough =
+        "v 0 0 0\nv 4 0 0\nv 4 1.6 0\nv 4 2.4 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4 5 6\n"
+        "v 4.4 1.6 0\nv 4.4 2.4 0\nf 3 7 8 4\n"
+        "v 4.4 1.59 0\nv 4.6 1.59 0\nv 4.6 2.41 0\nv 4.4 2.41 0\nf 9 10 11 12\n"
+        "v 4.6 1.6 0\nv 5 1.6 0\nv 5 2.4 0\nv 4.6 2.4 0\nf 13 14 15 16\n"
+        "v 5 0 0\nv 9 0 0\nv 9 4 0\nv 5 4 0\nf 17 18 19 20 15 14\n";
+    open();
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "rough.obj", rough), kPipeline));
+    const QString note = "from which the way gets wider by less than 5 %.";
+    QTRY_VERIFY2_WITH_TIMEOUT(panel().summary().contains(note), qPrintable(panel().summary()), kWaitMs);
+    QCOMPARE(panel().model().rowCount(), 1);
+    QCOMPARE(text(0, BottleneckModel::Width), QString("0.8"));
+  }
+
   // A radius makes passages narrower; the panel has them as they are, and its width is the agent's.
   void itFollowsTheResult() {
     open();

@@ -57,6 +57,23 @@ class TestCorridorsCommand : public QObject {
     QVERIFY(runProgram(corridors(file, {"--wider-than", "0.05"})).out.contains("; 1 bottleneck\nwidth 0.08 at "));
   }
 
+  void leavesOutWhatIsShallow() {
+    // Halfway, the passage has a niche on either side, in which it is 2 % wider.
+    QByteArray rooms = kRooms;
+    rooms.replace("v 6 1 -1.5\nv 6 1 -2.5\n", "v 4.9 1 -1.5\nv 4.9 1 -2.5\n");
+    rooms +=
+        "v 4.9 1 -1.48\nv 5.1 1 -1.48\nv 5.1 1 -2.52\nv 4.9 1 -2.52\nf 13 14 15 16\n"
+        "v 5.1 1 -1.5\nv 6 1 -1.5\nv 6 1 -2.5\nv 5.1 1 -2.5\nf 17 18 19 20\n";
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", rooms);
+    const Outcome outcome = runProgram(corridors(file, {}));
+    QVERIFY2(outcome.out.contains(
+                 "; 1 bottleneck; left out: 1, behind which the way gets wider by less than 5 %\nwidth 1 at "),
+             outcome.out.constData());
+    QVERIFY(runProgram(corridors(file, {"--prominence", "0"})).out.contains("; 2 bottlenecks\nwidth 1 at "));
+    QVERIFY(runProgram(corridors(file, {"--prominence", "1"})).out.contains("; 2 bottlenecks\nwidth 1 at "));
+  }
+
   void writesFiles() {
     const TemporaryFolder folder;
     const std::string file = folder.write("rooms.obj", kRooms), map = folder.path("map.json");
@@ -78,6 +95,7 @@ class TestCorridorsCommand : public QObject {
       return outcome.exitCode == 2 ? outcome.err : QByteArray();
     };
     QVERIFY(refused({"--narrower-than", "-1"}).contains("--narrower-than"));
+    QVERIFY(refused({"--prominence", "-1"}).contains("--prominence"));
     QVERIFY(refused({"--narrower-than", "nan"}).contains("--narrower-than"));
     QVERIFY(refused({"--wider-than", "-1"}).contains("--wider-than"));
     QVERIFY(refused({"-o", QString::fromStdString(folder.path("map.obj"))}).contains("map.obj"));

@@ -96,6 +96,29 @@ class TestCorridorMap : public QObject {
     for (const BottleneckSide& side : b.sides) QVERIFY(map.vertices[side.widest].width > 3);
   }
 
+  void ofARoughPassageOnePlaceIsProminent() {
+    // The passage is as narrow at three places, and 2 % wider between them.
+    Soup soup = Soup().floor(0, 0, 4, 4, 0).floor(9, 0, 13, 4, 0);
+    for (int i = 0; i < 5; ++i) soup.floor(4 + i, i % 2 == 0 ? 1.5 : 1.49, 5 + i, i % 2 == 0 ? 2.5 : 2.51, 0);
+    const CorridorMap map = makeCorridorMap(meshOf(soup));
+    QCOMPARE(map.bottlenecks.size(), std::size_t{3});
+    std::vector<double> prominences;
+    for (const Bottleneck& b : map.bottlenecks) {
+      QCOMPARE(b.width, 1.0);
+      prominences.push_back(prominence(map, b));
+    }
+    QVERIFY(prominences[0] > 2.5);
+    for (const std::size_t i : {1, 2}) QVERIFY(prominences[i] > 0 && prominences[i] < 0.03);
+  }
+
+  void doorsOfOneRoomAreAllProminent() {
+    // Three rooms in a row, with two passages of the same width.
+    const Soup soup = twoRooms().floor(10, 1.5, 12, 2.5, 0).floor(12, 0, 16, 4, 0);
+    const CorridorMap map = makeCorridorMap(meshOf(soup));
+    QCOMPARE(map.bottlenecks.size(), std::size_t{2});
+    for (const Bottleneck& b : map.bottlenecks) QVERIFY(prominence(map, b) > 2);
+  }
+
   void findsADoorWithoutThickness() {
     // The wall is a rectangle, and the door an opening of 0.9 between two corners.
     const Soup soup = Soup().floor(0, 0, 10, 4, 0).wall(5, 0, 5, 1.5, -0.5, 2).wall(5, 2.4, 5, 4, -0.5, 2);

@@ -30,8 +30,12 @@ void BottleneckModel::setOnlyWays(bool only) {
 void BottleneckModel::list() {
   rows_.clear();
   if (!shown_) return;
-  for (std::size_t i = shown_->slits; i < shown_->map.bottlenecks.size(); ++i)
-    if (!onlyWays_ || shown_->map.bottlenecks[i].isOnlyWay) rows_.push_back(i);
+  const CorridorMap& map = shown_->map;
+  for (std::size_t i = shown_->slits; i < map.bottlenecks.size(); ++i) {
+    const Bottleneck& bottleneck = map.bottlenecks[i];
+    if (prominence(map, bottleneck) < kUsualProminence || (onlyWays_ && !bottleneck.isOnlyWay)) continue;
+    rows_.push_back(i);
+  }
 }
 
 void BottleneckModel::setUnits(const LevelUnits& units) {

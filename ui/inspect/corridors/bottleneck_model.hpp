@@ -12,7 +12,7 @@
 
 namespace footfall::ui {
 
-/// Narrowest first, without slits. Rows are made when they are displayed, so that their number is unlimited.
+/// Narrowest first, without slits and without those of a small prominence. Rows are made when they are displayed, so that their number is unlimited.
 class BottleneckModel : public QAbstractTableModel {
   Q_OBJECT
 

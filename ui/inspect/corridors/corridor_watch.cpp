@@ -37,6 +37,9 @@ ShownCorridors makeShown(const FinishedRun& run, ResultCache* cache, RunContext&
   const auto& list = shown.map.bottlenecks;
   shown.slits =
       static_cast<std::size_t>(std::ranges::upper_bound(list, shown.slit, {}, &Bottleneck::width) - list.begin());
+  shown.shallow = static_cast<std::size_t>(
+      std::count_if(list.begin() + static_cast<std::ptrdiff_t>(shown.slits), list.end(),
+                    [&](const Bottleneck& b) { return prominence(shown.map, b) < kUsualProminence; }));
   shown.lines = makeCorridorLines(shown.map, shown.slit, kMostLines);
   return shown;
 }

@@ -18,6 +18,7 @@ struct ShownCorridors {
   CorridorLines lines;
   double slit = 0;               ///< a passage that is at most as wide is a slit between modelled things
   std::size_t slits = 0;         ///< bottlenecks that are slits; they are the first ones of the map
+  std::size_t shallow = 0;       ///< other bottlenecks with a prominence below kUsualProminence
   bool isWithoutRadius = false;  ///< the pipeline's RadiusFilter was left out
 };
 

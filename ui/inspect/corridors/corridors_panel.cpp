@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QVBoxLayout>
+#include <cmath>
 #include <cstdint>
 #include <utility>
 
@@ -186,6 +187,10 @@ void CorridorsPanel::describe() {
   if (shown->slits > 0)
     lines << tr("%n slits of at most %1 are left out.", "", static_cast<int>(shown->slits))
                  .arg(units_.length(shown->slit));
+  if (shown->shallow > 0)
+    lines << tr("%n places are left out from which the way gets wider by less than %1 %.", "",
+                static_cast<int>(shown->shallow))
+                 .arg(countText(static_cast<std::uint64_t>(std::lround(100 * kUsualProminence))));
   if (shown->isWithoutRadius) lines << tr("Measured without the filter Radius, which makes passages narrower.");
   if (shown->lines.leftOut > 0)
     lines << tr("The widest %n pieces of the map are not drawn.", "", static_cast<int>(shown->lines.leftOut));
