@@ -16,7 +16,7 @@ namespace {
 using Point = std::array<float, 3>;
 
 template <typename Corner>
-double areaOf(const Corner& a, const Corner& b, const Corner& c) {
+double triangleArea(const Corner& a, const Corner& b, const Corner& c) {
   const std::array<double, 3> u{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
   const std::array<double, 3> v{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
   const auto [x, y, z] = detail::cross(u, v);
@@ -32,7 +32,7 @@ std::vector<SurfaceVertex> coarsened(const std::vector<SurfaceVertex>& surface, 
   Point lower = surface.front().position;
   double area = 0;
   for (std::size_t v = 0; v + 2 < surface.size(); v += 3) {
-    area += areaOf(surface[v].position, surface[v + 1].position, surface[v + 2].position);
+    area += triangleArea(surface[v].position, surface[v + 1].position, surface[v + 2].position);
     for (std::size_t axis = 0; axis < 3; ++axis) lower[axis] = std::min(lower[axis], surface[v].position[axis]);
   }
   // A surface of this area has two triangles for each grid cube that it passes through.
@@ -91,7 +91,7 @@ std::shared_ptr<const FloorStates> makeFloorStates(const Environment& environmen
       const Vec3& p = environment.vertices[environment.triangles[t][k]];
       return std::array<double, 3>{p.x, p.y, p.z};
     };
-    half[t] = areaOf(corner(0), corner(1), corner(2)) / 2;
+    half[t] = triangleArea(corner(0), corner(1), corner(2)) / 2;
   }
   auto states = std::make_shared<FloorStates>(triangles, kFloorAsItIs);
   // The mesh of a later filter lies within the earlier ones.

@@ -35,7 +35,7 @@ double squaredLength(const Vec3& a, const Vec3& b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y) + (a.z - b.z) * (a.z - b.z);
 }
 
-Normal normalOf(const std::array<Vec3, 3>& p) {
+Normal pieceNormal(const std::array<Vec3, 3>& p) {
   const auto [x, y, z] = detail::normalOf(p[0], p[1], p[2]);
   return {x, y, z, std::sqrt(x * x + y * y + z * z)};
 }
@@ -48,7 +48,7 @@ std::vector<Piece> floorsOf(const Environment& environment, Poll poll) {
     Piece floor;
     for (std::size_t k = 0; k < 3; ++k) floor.corners[k] = environment.vertices[triangle[k]];
     floor.source = static_cast<std::uint32_t>(t);
-    const Normal normal = normalOf(floor.corners);
+    const Normal normal = pieceNormal(floor.corners);
     const double up = environment.bothSides ? std::abs(normal.z) : normal.z;
     if (up > kWallNormalZ * normal.length) floors.push_back(floor);
   }
@@ -114,7 +114,7 @@ std::vector<float> heightsAbove(const HeadroomTree& tree, const std::vector<Piec
 }
 
 void add(FieldGeometry& field, const Piece& piece, const std::array<float, 3>& values, const Vec3& centre) {
-  Normal normal = normalOf(piece.corners);
+  Normal normal = pieceNormal(piece.corners);
   if (normal.z < 0) normal = {-normal.x, -normal.y, -normal.z, normal.length};
   FieldVertex vertex;
   const double length = normal.length > 0 ? normal.length : 1;
@@ -139,7 +139,7 @@ std::shared_ptr<const FieldGeometry> makeSlopeField(const Environment& environme
   field->surface.reserve(floors.size() * 3);
   for (std::size_t i = 0; i < floors.size(); ++i) {
     if (i % kFieldPollEvery == 0) poll();
-    const Normal normal = normalOf(floors[i].corners);
+    const Normal normal = pieceNormal(floors[i].corners);
     const double degrees = std::atan2(std::hypot(normal.x, normal.y), std::abs(normal.z)) * 180 / M_PI;
     const auto slope = static_cast<float>(degrees);
     add(*field, floors[i], {slope, slope, slope}, centre);
@@ -153,7 +153,7 @@ std::shared_ptr<const FieldGeometry> makeClearanceField(const std::shared_ptr<co
   auto field = std::make_shared<FieldGeometry>();
   std::vector<Piece> pieces = floorsOf(*environment, poll);
   double area = 0;
-  for (const Piece& piece : pieces) area += normalOf(piece.corners).length / 2;
+  for (const Piece& piece : pieces) area += pieceNormal(piece.corners).length / 2;
   // A quarter of the pieces forms an even net, so that no large change is missed; the others refine what the net finds.
   const double edge = std::sqrt(2 * area / (static_cast<double>(budget) / 4));
   pieces = cutTo(std::move(pieces), edge, std::max(budget / 2, pieces.size()), poll);
