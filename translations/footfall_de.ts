@@ -6253,6 +6253,10 @@ Die Griffe der Höhe zeigen ein einzelnes Stockwerk.</translation>
         <source>mm</source>
         <translation>mm</translation>
     </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::LevelView</name>

@@ -78,7 +78,11 @@ QString LevelUnits::areaNumber(double area) const {
   return fixedText(shown, size < 1000 ? 2 : 0);
 }
 
-QString LevelUnits::length(double length) const { return lengthNumber(length) + QLatin1Char(' ') + name(); }
+QString LevelUnits::length(double length) const {
+  const QString number = lengthNumber(length);
+  const bool isOne = unit() == LengthUnit::FileUnits && number == QLatin1String("1");
+  return number + QLatin1Char(' ') + (isOne ? tr("unit") : name());
+}
 
 QString LevelUnits::area(double area) const { return areaNumber(area) + QLatin1Char(' ') + areaName(); }
 

@@ -40,6 +40,7 @@ class TestLevelUnits : public QObject {
     QCOMPARE(known.area(10000), QString::fromUtf8("6.45 m²"));
     QCOMPARE(units(UpAxis::Z, 0.0254, true, LengthUnit::Feet).length(12), QString("1 ft"));
     QCOMPARE(units(UpAxis::Z, 0.0254, true, LengthUnit::FileUnits).length(12), QString("12 units"));
+    QCOMPARE(units(UpAxis::Z, 0.0254, true, LengthUnit::FileUnits).length(1), QString("1 unit"));
     const LevelUnits millimetres = units(UpAxis::Z, 0.0254, true, LengthUnit::Millimetres);
     QCOMPARE(millimetres.length(100), QString("2540 mm"));
     QCOMPARE(millimetres.area(10000), QString::fromUtf8("6.45 m²"));
