@@ -2801,10 +2801,6 @@
         <translation>%1, unter Dreieck %2</translation>
     </message>
     <message>
-        <source>Agents stay %1 away from ledges: drops and the ends of the level.</source>
-        <translation>Agenten bleiben %1 von Kanten weg: Abgründen und den Enden des Levels.</translation>
-    </message>
-    <message>
         <source>a wall at %1</source>
         <translation>eine Wand in %1</translation>
     </message>
@@ -3548,6 +3544,49 @@
     <message>
         <source>The file&apos;s axes (%1). Click one to look along it; drag to turn</source>
         <translation>Die Achsen der Datei (%1). Klick auf eine blickt an ihr entlang; Ziehen dreht</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::BodyFields</name>
+    <message>
+        <source>Radius of the body</source>
+        <translation>Radius des Körpers</translation>
+    </message>
+    <message>
+        <source>Radius of the body that walks, half of its width. 0: a point, on the result as it is</source>
+        <translation>Radius des Körpers, der geht: die Hälfte seiner Breite. 0: ein Punkt, auf dem Ergebnis, wie es ist</translation>
+    </message>
+    <message>
+        <source>Drag to see where a wider body fits</source>
+        <translation>Ziehen zeigt, wo ein breiterer Körper durchpasst</translation>
+    </message>
+    <message>
+        <source>Which way the body takes</source>
+        <translation>Weg, den der Körper nimmt</translation>
+    </message>
+    <message>
+        <source>Which of several ways the body takes. Passages that are twice as wide as the body, or wider, count as wide</source>
+        <translation>Welchen von mehreren Wegen der Körper nimmt. Als breit gelten Durchgänge, die mindestens doppelt so breit sind wie der Körper</translation>
+    </message>
+    <message>
+        <source>Shortest way</source>
+        <translation>Kürzester Weg</translation>
+    </message>
+    <message>
+        <source>Prefer wide passages</source>
+        <translation>Breite Durchgänge vorziehen</translation>
+    </message>
+    <message>
+        <source>Widest way</source>
+        <translation>Breitester Weg</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Way</source>
+        <translation>Weg</translation>
     </message>
 </context>
 <context>
@@ -7255,6 +7294,33 @@ Material: %2</translation>
     </message>
 </context>
 <context>
+    <name>footfall::ui::PassageView</name>
+    <message>
+        <source>Show the &amp;passage</source>
+        <translation>&amp;Durchgang zeigen</translation>
+    </message>
+    <message>
+        <source>Show the &amp;place</source>
+        <translation>&amp;Ort zeigen</translation>
+    </message>
+    <message>
+        <source>Bring the narrowest passage of the way into sight</source>
+        <translation>Den schmalsten Durchgang des Wegs ins Bild holen</translation>
+    </message>
+    <message>
+        <source>Bring the nearest place with enough room into sight</source>
+        <translation>Den nächsten Ort mit genug Platz ins Bild holen</translation>
+    </message>
+    <message>
+        <source>%1, %2 too narrow</source>
+        <translation>%1, um %2 zu schmal</translation>
+    </message>
+    <message>
+        <source>Enough room</source>
+        <translation>Genug Platz</translation>
+    </message>
+</context>
+<context>
     <name>footfall::ui::PathFeature</name>
     <message>
         <source>Try it</source>
@@ -7350,6 +7416,14 @@ Material: %2</translation>
         <source>Click two places in the view, or enter them here.</source>
         <translation>Klicken Sie zwei Stellen in der Ansicht an, oder geben Sie sie hier ein.</translation>
     </message>
+    <message>
+        <source>Measuring the passages …</source>
+        <translation>Die Durchgänge werden vermessen …</translation>
+    </message>
+    <message>
+        <source>The filter Radius is left out: the body has a radius of its own.</source>
+        <translation>Der Filter Radius bleibt außer Betracht: Der Körper hat seinen eigenen Radius.</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::PathText</name>
@@ -7440,6 +7514,38 @@ Material: %2</translation>
     <message>
         <source>%1 drops, one way, the deepest %2</source>
         <translation>%1 Sprünge, nur hinab, der tiefste %2</translation>
+    </message>
+    <message>
+        <source>The nearest place with enough room is at %1.</source>
+        <translation>Der nächste Ort mit genug Platz ist bei %1.</translation>
+    </message>
+    <message>
+        <source>No place around it has enough room.</source>
+        <translation>Kein Ort in der Nähe hat genug Platz.</translation>
+    </message>
+    <message>
+        <source>Only drops lead to the target, and a body with a radius takes none.</source>
+        <translation>Zum Ziel führen nur Sprünge, und ein Körper mit Radius nimmt keine.</translation>
+    </message>
+    <message>
+        <source>The start is %1 from the border, %2 less than the radius.</source>
+        <translation>Der Start ist %1 vom Rand entfernt, %2 weniger als der Radius.</translation>
+    </message>
+    <message>
+        <source>The target is %1 from the border, %2 less than the radius.</source>
+        <translation>Das Ziel ist %1 vom Rand entfernt, %2 weniger als der Radius.</translation>
+    </message>
+    <message>
+        <source>No passage leads from the start to the target.</source>
+        <translation>Kein Durchgang führt vom Start zum Ziel.</translation>
+    </message>
+    <message>
+        <source>Every way is too narrow. The widest one has a passage of %1 at %2; the body is %3 wide, which is %4 too much.</source>
+        <translation>Jeder Weg ist zu schmal. Der breiteste hat einen Durchgang von %1 bei %2; der Körper ist %3 breit, das ist %4 zu viel.</translation>
+    </message>
+    <message>
+        <source>Narrowest passage %1</source>
+        <translation>Schmalster Durchgang %1</translation>
     </message>
 </context>
 <context>

@@ -8,10 +8,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "footfall/path.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/run/without_radius.hpp"
 
 namespace footfall::ui {
 
@@ -20,19 +19,16 @@ NLOHMANN_JSON_SERIALIZE_ENUM(WalkCamera, {{WalkCamera::Free, "stays"},
                                           {WalkCamera::Follows, "follows"},
                                           {WalkCamera::Eyes, "eyes"}})
 
+// The names of the ways of a body.
+NLOHMANN_JSON_SERIALIZE_ENUM(BodyWay, {{BodyWay::Shortest, "shortest"},
+                                       {BodyWay::PrefersWide, "prefers_wide"},
+                                       {BodyWay::Widest, "widest"}})
+
 namespace {
 
 using Json = nlohmann::json;
 
 constexpr double kShownAroundLinks = 1.5;  // metres shown around the barrier between two parts
-
-/// The largest distance that an enabled RadiusFilter keeps off borders; 0 without one.
-double radiusOf(const Pipeline& pipeline) {
-  double radius = 0;
-  for (const PipelineStep& step : pipeline.steps)
-    if (step.enabled && step.filter->type == FilterType::Radius) radius = std::max(radius, step.values[0]);
-  return radius;
-}
 
 Json toJson(const std::optional<Vec3>& place) { return place ? Json{place->x, place->y, place->z} : Json(nullptr); }
 
@@ -54,8 +50,10 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
       controller_(controller),
       tool_(model_, view, nullptr),
       panel_(new PathPanel(model_)),
+      passage_(new PassageView(model_, view, panel_)),
       separation_(new SeparationView(model_, view, panel_)),
       walk_(new WalkFeature(host, view, model_, this)) {
+  panel_->addButton(passage_);
   panel_->addBelowFailure(separation_);
   panel_->addBelowText(walk_->bar());
   separation_->setMends(
@@ -88,6 +86,7 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
     const LevelUnits units = choice.units();
     panel_->setUnits(units);
     tool_.setUnits(units);
+    passage_->setUnits(units);
     separation_->setWriter({[units](double length) { return units.length(length); },
                             [units](const Vec3& place) { return units.place(place); }});
   };
@@ -96,11 +95,23 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
   connect(&controller_, &RunController::finished, this, &PathFeature::takeResult);
   connect(&file_, &LevelFile::opened, this, [this] {
     const std::string source = file_.environment() ? file_.environment()->source : std::string();
-    if (!std::exchange(fromSession_, false) && source != environment_) model_.setPlaces(std::nullopt, std::nullopt);
+    if (!std::exchange(fromSession_, false) && source != environment_) {
+      model_.setPlaces(std::nullopt, std::nullopt);
+      model_.setBody({});
+    }
     environment_ = source;
     takeResult();
   });
+  connectModel(host);
+  host.sections.add(
+      {QStringLiteral("path"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
+  takeResult();
+}
+
+void PathFeature::connectModel(const FeatureHost& host) {
   connect(&model_, &PathModel::placesChanged, &host.sections, &SessionSections::changed);
+  connect(&model_, &PathModel::bodyChanged, &host.sections, &SessionSections::changed);
+  connect(&model_, &PathModel::bodyChanged, this, &PathFeature::takeBody);
   connect(&model_, &PathModel::resultChanged, this, &PathFeature::boundSelection);
   connect(panel_, &PathPanel::speedEdited, &host.sections, &SessionSections::changed);
   connect(walk_->bar(), &WalkBar::chosen, &host.sections, &SessionSections::changed);
@@ -111,14 +122,12 @@ PathFeature::PathFeature(const FeatureHost& host, LevelView& view, Document& doc
           [&messages = host.messages](const QString& text) { messages.showErrorOf(MessageSubject::Path, text); });
   connect(&model_, &PathModel::resultChanged, this,
           [&messages = host.messages] { messages.finish(MessageSubject::Path); });
-  host.sections.add(
-      {QStringLiteral("path"), [this] { return save(); }, [this](const std::string& text) { load(text); }});
-  takeResult();
 }
 
 void PathFeature::follow() {
   const bool shown = view_.tool() == &tool_ || !dock_->isHidden();
   tool_.setShown(shown);
+  passage_->setShown(shown);
   separation_->setShown(shown);
   walk_->setShown(shown);
   model_.setActive(shown);
@@ -129,16 +138,23 @@ void PathFeature::takeResult() {
   const auto run = controller_.finishedRun();
   const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   if (run) {
-    const PathModel::Ground ground{
-        run->result.mesh,         placeReach(run->pipeline),
-        run->environment,         agentHeight(run->pipeline, run->environment->metresPerUnit),
-        agentStep(run->pipeline), agentGap(run->pipeline)};
+    const PathModel::Ground ground{run->result.mesh,
+                                   placeReach(run->pipeline),
+                                   run->environment,
+                                   agentHeight(run->pipeline, run->environment->metresPerUnit),
+                                   agentStep(run->pipeline),
+                                   agentGap(run->pipeline),
+                                   run,
+                                   controller_.cache()};
     walk_->setGround(ground, radiusOf(run->pipeline), run->environment->metresPerUnit);
     model_.setGround(ground);
   } else {
     walk_->setGround({}, 0, metres);
     model_.setGround({});
   }
+  panel_->setMargins(run && hasRadius(run->pipeline));
+  takeBody();
+  passage_->setMargin(kShownAroundLinks / metres);
   separation_->setMargin(kShownAroundLinks / metres);
   panel_->setNotice(!file_.environment() ? tr("Open an environment first.")
                     : run                ? QString()
@@ -146,7 +162,10 @@ void PathFeature::takeResult() {
   follow();
 }
 
-// "Frame selection" shows the path, or the part up to which it gets.
+// The walker has the radius that is entered, or else that of the filter.
+void PathFeature::takeBody() { walk_->setBodyRadius(model_.body().radius); }
+
+// "Frame selection" shows the path, or the part up to which it gets, or the passage that is too narrow.
 void PathFeature::boundSelection() {
   std::optional<SceneBox> bounds;
   const bool shown = view_.tool() == &tool_ || !dock_->isHidden();
@@ -158,6 +177,7 @@ void PathFeature::boundSelection() {
       upper = {std::max(upper.x, p.x), std::max(upper.y, p.y), std::max(upper.z, p.z)};
     }
   }
+  if (shown && !bounds) bounds = passage_->bounds();
   view_.cameraController().setSelectionBounds(QStringLiteral("path"), bounds);
 }
 
@@ -165,6 +185,8 @@ std::string PathFeature::save() const {
   Json json;
   json["start"] = toJson(model_.start());
   json["target"] = toJson(model_.target());
+  json["radius"] = model_.body().radius;
+  json["way"] = model_.body().way;
   json["speed"] = panel_->speed();
   json["pace"] = walk_->walker().pace();
   json["camera"] = walk_->walkerView().camera();
@@ -175,11 +197,15 @@ void PathFeature::load(const std::string& text) {
   fromSession_ = true;
   if (text.empty()) {
     model_.setPlaces(std::nullopt, std::nullopt);
+    model_.setBody({});
     return;
   }
   const Json json = Json::parse(text);
   const double speed = json.value("speed", panel_->speed());
   if (!(speed > 0 && std::isfinite(speed))) throw std::runtime_error("a walking speed that is not above 0");
+  const WalkingBody body{json.value("radius", 0.0), json.value("way", BodyWay::Shortest)};
+  if (!(body.radius >= 0 && std::isfinite(body.radius))) throw std::runtime_error("a radius that is not at least 0");
+  model_.setBody(body);
   model_.setPlaces(toPlace(json.value("start", Json())), toPlace(json.value("target", Json())));
   panel_->setSpeed(speed);
   walk_->setSpeed(speed);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "ui/level/level_file.hpp"
+#include "ui/path/passage_view.hpp"
 #include "ui/path/path_model.hpp"
 #include "ui/path/path_panel.hpp"
 #include "ui/path/path_tool.hpp"
@@ -28,7 +29,9 @@ class PathFeature : public QObject {
   [[nodiscard]] WalkFeature& walk() { return *walk_; }
 
  private:
+  void connectModel(const FeatureHost& host);
   void takeResult();
+  void takeBody();
   void follow();
   void boundSelection();
   [[nodiscard]] std::string save() const;
@@ -40,6 +43,7 @@ class PathFeature : public QObject {
   PathModel model_;
   PathTool tool_;
   PathPanel* panel_;
+  PassageView* passage_;
   SeparationView* separation_;
   WalkFeature* walk_;
   QDockWidget* dock_;

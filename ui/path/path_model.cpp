@@ -1,64 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/path/path_model.hpp"
 
-#include <array>
-#include <functional>
 #include <new>
 #include <utility>
 
-#include "core/navigation/path_ground.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/core_text.hpp"
 
 namespace footfall::ui {
+namespace {
 
-/// Data prepared for a ground, and the last answer about two of its parts, because most places are on the same parts.
-struct PathModel::Finder {
-  void prepare(const Ground& wanted, const RunContext& context) {
-    if (finder && ground == wanted) return;
-    separations.reset();
-    last.reset();
-    finder.reset();
-    finder = std::make_unique<PathFinder>(wanted.mesh, &context);
-    ground = wanted;
-  }
+constexpr int kOvertakenMs = 100;
 
-  [[nodiscard]] PathResult find(const Vec3& start, const Vec3& target, const RunContext& context) const {
-    PathResult result = finder->find(start, target, ground.reach, &context);
-    if (result.status == PathStatus::NotConnected && last && last->parts == partsOf(result))
-      result.separation = last->separation;
-    return result;
-  }
+}  // namespace
 
-  void separate(PathResult& result, const RunContext& context) {
-    if (!ground.environment) return;
-    if (!separations)
-      separations = std::make_unique<SeparationFinder>(*finder, ground.environment, ground.agentHeight,
-                                                       ground.agentStep, &context, ground.agentGap);
-    addSeparation(result, *separations, &context);
-    last = {partsOf(result), result.separation};
-  }
-
- private:
-  struct Answer {
-    std::array<std::uint32_t, 2> parts;
-    std::optional<Separation> separation;
-  };
-  [[nodiscard]] std::array<std::uint32_t, 2> partsOf(const PathResult& result) const {
-    const auto& components = finder->inside()->topology.components;
-    return {components[result.start->triangle], components[result.target->triangle]};
-  }
-
-  Ground ground;
-  std::unique_ptr<PathFinder> finder;
-  std::unique_ptr<SeparationFinder> separations;
-  std::optional<Answer> last;
+struct PathModel::Finders {
+  WayFinder points, bodies;
 };
 
-PathModel::PathModel(QObject* parent) : QObject(parent), finder_(std::make_shared<Finder>()) {}
+struct PathModel::Request {
+  Ground ground;
+  WalkingBody body;
+  Vec3 start, target;
+  std::optional<PathResult> failed;  ///< the path whose barrier is computed
+};
 
-PathModel::~PathModel() {
-  if (context_) context_->cancel();
+PathModel::PathModel(QObject* parent) : QObject(parent), finders_(std::make_shared<Finders>()) {
+  overtaken_.setSingleShot(true);
+  overtaken_.setInterval(kOvertakenMs);
+  connect(&overtaken_, &QTimer::timeout, this, [this] {
+    if (isStale_ && search_) search_->cancel();
+  });
+}
+
+PathModel::~PathModel() { stop(); }
+
+void PathModel::stop() {
+  for (const auto& context : {context_, search_})
+    if (context) context->cancel();
 }
 
 void PathModel::setGround(Ground ground) {
@@ -79,34 +58,57 @@ void PathModel::setPlaces(std::optional<Vec3> start, std::optional<Vec3> target)
   refresh(false);
 }
 
+void PathModel::setBody(const WalkingBody& body) {
+  const WalkingBody before = std::exchange(body_, body);
+  if (before == body) return;
+  emit bodyChanged();
+  // A point's path does not depend on the way, and its ground is another one than a body's.
+  if (!before.isPoint() || !body.isPoint()) refresh(before.isPoint() != body.isPoint());
+}
+
 void PathModel::refresh(bool groundChanged) {
   if (!isWanted()) {
-    if (context_) context_->cancel();
+    stop();
     isStale_ = false;
-    if (std::exchange(result_, std::nullopt)) emit resultChanged();
+    const bool wasShown = way_.path || way_.body;
+    way_ = {};
+    if (wasShown) emit resultChanged();
     return;
   }
   if (context_) {
     isStale_ = true;
-    if (groundChanged || isSeparating_) context_->cancel();
+    if (groundChanged || isSeparating_) {
+      stop();
+    } else if (!overtaken_.isActive()) {
+      overtaken_.start();
+    }
     return;
   }
   startJob();
+}
+
+void PathModel::setPreparing(bool preparing) {
+  if (std::exchange(isPreparing_, preparing) != preparing) emit preparingChanged();
 }
 
 void PathModel::startJob(std::optional<PathResult> failed) {
   isStale_ = false;
   isSeparating_ = failed.has_value();
   context_ = std::make_shared<RunContext>();
-  queue_.post([this, context = context_, finder = finder_, ground = ground_, failed = std::move(failed),
-               start = *start_, target = *target_] {
-    std::optional<PathResult> result;
+  search_ = std::make_shared<RunContext>();
+  const Request request{ground_, body_, *start_, *target_, std::move(failed)};
+  setPreparing(!body_.isPoint() && !way_.body);
+  queue_.post([this, context = context_, search = search_, finders = finders_, request] {
+    std::optional<FoundWay> result;
     QString error;
     try {
       context->checkCancelled();
-      finder->prepare(ground, *context);
-      PathResult found = failed ? *failed : finder->find(start, target, *context);
-      if (failed) finder->separate(found, *context);
+      const bool isPoint = request.body.isPoint();
+      WayFinder& finder = isPoint ? finders->points : finders->bodies;
+      finder.prepare(request.ground, !isPoint, *context);
+      FoundWay found = request.failed ? FoundWay{request.failed, {}}
+                                      : finder.find(request.start, request.target, request.body, *search);
+      if (request.failed) finder.separate(*found.path, *search);
       result = std::move(found);
     } catch (const Cancelled&) {
     } catch (const std::bad_alloc&) {
@@ -115,30 +117,36 @@ void PathModel::startJob(std::optional<PathResult> failed) {
       error = coreText(problem);
     }
     QMetaObject::invokeMethod(
-        this, [this, ground, result, error] { finishJob(ground, result, error); }, Qt::QueuedConnection);
+        this, [this, request, result, error] { finishJob(request, result, error); }, Qt::QueuedConnection);
   });
 }
 
-void PathModel::finishJob(const Ground& ground, const std::optional<PathResult>& result, const QString& error) {
+void PathModel::finishJob(const Request& request, const std::optional<FoundWay>& way, const QString& error) {
   context_.reset();
+  search_.reset();
+  overtaken_.stop();
   const bool separated = std::exchange(isSeparating_, false);
-  const bool isCurrent = isWanted() && ground == ground_;
+  const bool isSameKind = request.body.isPoint() == body_.isPoint();
+  const bool isCurrent = isWanted() && request.ground == ground_ && isSameKind;
   // The barrier between the parts is not used once the places have moved.
-  const bool isUsed = isCurrent && result && !(separated && isStale_);
+  const bool isUsed = isCurrent && way && !(separated && isStale_);
   if (isUsed) {
-    result_ = result;
+    way_.path = way->path;
+    if (!separated) way_.body = way->body;
+    isPreparing_ = false;
     emit resultChanged();
   }
   if (!error.isEmpty()) emit failed(error);
   if (context_) return;
   // A cancelled request counts too when it is needed again.
-  const bool isMissing = isWanted() && !result && error.isEmpty();
+  const bool isMissing = isWanted() && !way && error.isEmpty();
   if (isStale_ || isMissing) {
     if (isWanted()) startJob();
-  } else if (isUsed && !separated && result->status == PathStatus::NotConnected && !result->separation &&
-             ground.environment) {
-    startJob(*result);
+  } else if (isUsed && !separated && way->path && way->path->status == PathStatus::NotConnected &&
+             !way->path->separation && request.ground.environment) {
+    startJob(*way->path);
   }
+  if (!context_) setPreparing(false);
 }
 
 }  // namespace footfall::ui

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double kUsualSpeed = 1.4;  // metres a second: an adult who is not in a hurry
 
-QPushButton* addButton(QLayout* row, const QString& id, const QString& text, const QString& help) {
+QPushButton* makeButton(QLayout* row, const QString& id, const QString& text, const QString& help) {
   auto* button = new QPushButton(text);
   button->setObjectName(id);
   button->setToolTip(help);
@@ -30,6 +30,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   setObjectName(QStringLiteral("pathPanel"));
   start_ = new PlaceFields(tr("Start"), QStringLiteral("pathStart"), this);
   target_ = new PlaceFields(tr("Target"), QStringLiteral("pathTarget"), this);
+  body_ = new BodyFields(model_, this);
   speed_ = new NumberField(positiveNumber("speed", "Walking speed", kUsualSpeed), this);
   speed_->setObjectName(QStringLiteral("pathSpeed"));
   speed_->setAccessibleName(tr("Walking speed in metres a second"));
@@ -45,6 +46,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   form->setVerticalSpacing(4);
   form->addRow(tr("Start"), start_);
   form->addRow(tr("Target"), target_);
+  body_->addTo(*form);
   form->addRow(tr("Speed"), speedRow);
 
   failure_ = new QLabel(this);
@@ -62,10 +64,10 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   frame_->setEnabled(false);
   frame_->setText(units_.frameText());
 
-  auto* buttons = new FlowLayout(6);
-  swap_ = addButton(buttons, QStringLiteral("pathSwap"), tr("Swap"), tr("Swap start and target"));
-  copy_ = addButton(buttons, QStringLiteral("pathCopy"), tr("Copy"), tr("Copy places and figures as text"));
-  clear_ = addButton(buttons, QStringLiteral("pathClear"), tr("Clear"), tr("Remove both places"));
+  buttons_ = new FlowLayout(6);
+  swap_ = makeButton(buttons_, QStringLiteral("pathSwap"), tr("Swap"), tr("Swap start and target"));
+  copy_ = makeButton(buttons_, QStringLiteral("pathCopy"), tr("Copy"), tr("Copy places and figures as text"));
+  clear_ = makeButton(buttons_, QStringLiteral("pathClear"), tr("Clear"), tr("Remove both places"));
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(10, 6, 8, 8);
@@ -74,7 +76,7 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
   layout->addWidget(frame_);
   layout->addWidget(failure_);
   layout->addWidget(text_);
-  layout->addLayout(buttons);
+  layout->addLayout(buttons_);
   layout->addStretch(1);
 
   connect(start_, &PlaceFields::edited, this, [this](const Vec3& place) { model_.setStart(place); });
@@ -93,12 +95,14 @@ PathPanel::PathPanel(PathModel& model, QWidget* parent) : QWidget(parent), model
       if (!label->text().isEmpty()) lines << label->text();
     QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')) + QLatin1Char('\n'));
   });
+  connect(body_, &BodyFields::problemChanged, this, &PathPanel::showResult);
   connect(&model_, &PathModel::placesChanged, this, [this] {
     start_->setPlace(model_.start());
     target_->setPlace(model_.target());
     showResult();
   });
-  connect(&model_, &PathModel::resultChanged, this, &PathPanel::showResult);
+  for (const auto changed : {&PathModel::resultChanged, &PathModel::preparingChanged})
+    connect(&model_, changed, this, &PathPanel::showResult);
   showResult();
 }
 
@@ -106,6 +110,7 @@ void PathPanel::setUnits(const LevelUnits& units) {
   units_ = units;
   start_->setUnits(units);
   target_->setUnits(units);
+  body_->setUnits(units);
   frame_->setText(units.frameText());
   showResult();
 }
@@ -120,8 +125,15 @@ void PathPanel::addBelowText(QWidget* widget) {
   rows->insertWidget(rows->indexOf(text_) + 1, widget);
 }
 
+void PathPanel::addButton(QPushButton* button) { buttons_->addWidget(button); }
+
 void PathPanel::setNotice(const QString& notice) {
   notice_ = notice;
+  showResult();
+}
+
+void PathPanel::setMargins(bool margins) {
+  hasMargins_ = margins;
   showResult();
 }
 
@@ -132,15 +144,24 @@ void PathPanel::setSpeed(double metresPerSecond) {
 
 void PathPanel::showResult() {
   const auto& result = model_.result();
+  const auto& body = model_.bodyPath();
   QString failure, text;
   if (!notice_.isEmpty()) {
     text = notice_;
-  } else if (result) {
-    failure = failureText(*result, units_);
-    text = pathText(*result, units_, speed_->value());
+  } else if (model_.isPreparing()) {
+    text = tr("Measuring the passages …");
+  } else if (result || body) {
+    failure = result ? failureText(*result, units_) : bodyFailureText(*body, units_);
+    QStringList lines;
+    if (result) lines << pathText(*result, units_, speed_->value());
+    if (body) lines << narrowestText(*body, units_);
+    if (body && hasMargins_) lines << tr("The filter Radius is left out: the body has a radius of its own.");
+    lines.removeAll(QString());
+    text = lines.join(QLatin1Char('\n'));
   } else if (!model_.start() || !model_.target()) {
     text = tr("Click two places in the view, or enter them here.");
   }
+  if (!body_->problem().isEmpty()) failure = body_->problem();
   failure_->setText(failure);
   failure_->setVisible(!failure.isEmpty());
   text_->setText(text);

@@ -8,6 +8,7 @@
 
 #include "ui/base/number_field.hpp"
 #include "ui/inspect/place_fields.hpp"
+#include "ui/path/body_fields.hpp"
 #include "ui/path/path_model.hpp"
 
 namespace footfall::ui {
@@ -21,13 +22,16 @@ class PathPanel : public QWidget {
   void setUnits(const LevelUnits& units);
   /// Sets the reason why there is no area to walk on; empty when there is one.
   void setNotice(const QString& notice);
+  /// Sets whether the result has margins of a RadiusFilter, which bodies walk without.
+  void setMargins(bool margins);
   [[nodiscard]] double speed() const { return speed_->value(); }
   void setSpeed(double metresPerSecond);
   /// Puts a widget below the reason of a failure, and takes ownership of it.
   void addBelowFailure(QWidget* widget);
-  /// The same below what the path takes.
+  /// Puts a button behind the others, and takes ownership of it.
+  void addButton(QPushButton* button);
+  /// The same as addBelowFailure() below what the path takes.
   void addBelowText(QWidget* widget);
-  [[nodiscard]] QString text() const { return text_->text(); }
 
  signals:
   void speedEdited();
@@ -39,7 +43,10 @@ class PathPanel : public QWidget {
   LevelUnits units_;
   QString notice_;
   PlaceFields *start_, *target_;
+  BodyFields* body_;
+  QLayout* buttons_;
   NumberField* speed_;
+  bool hasMargins_ = false;
   QLabel *text_, *failure_, *frame_;
   QPushButton *swap_, *clear_, *copy_;
 };

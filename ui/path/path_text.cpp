@@ -54,6 +54,40 @@ QString failureText(const PathResult& result, const LevelUnits& units) {
   return {};
 }
 
+QString bodyFailureText(const BodyPath& path, const LevelUnits& units) {
+  const QString lacking = units.length(path.lacking);
+  const QString room =
+      path.admissible ? PathText::tr("The nearest place with enough room is at %1.").arg(units.place(*path.admissible))
+                      : PathText::tr("No place around it has enough room.");
+  switch (path.status) {
+    case BodyPathStatus::Found:
+      return {};
+    case BodyPathStatus::NoPath:
+      return PathText::tr("Only drops lead to the target, and a body with a radius takes none.");
+    case BodyPathStatus::StartTooNear:
+      return PathText::tr("The start is %1 from the border, %2 less than the radius.")
+                 .arg(units.length(path.startDistance), lacking) +
+             QLatin1Char(' ') + room;
+    case BodyPathStatus::TargetTooNear:
+      return PathText::tr("The target is %1 from the border, %2 less than the radius.")
+                 .arg(units.length(path.targetDistance), lacking) +
+             QLatin1Char(' ') + room;
+    case BodyPathStatus::TooNarrow:
+      if (!path.narrowest) return PathText::tr("No passage leads from the start to the target.");
+      return PathText::tr(
+                 "Every way is too narrow. The widest one has a passage of %1 at %2; the body is %3 wide, "
+                 "which is %4 too much.")
+          .arg(units.length(path.narrowest->width), units.place(path.narrowest->place),
+               units.length(path.narrowest->width + path.lacking), lacking);
+  }
+  return {};
+}
+
+QString narrowestText(const BodyPath& path, const LevelUnits& units) {
+  if (!path.reached() || !path.narrowest) return {};
+  return PathText::tr("Narrowest passage %1").arg(units.length(path.narrowest->width));
+}
+
 QString pathText(const PathResult& result, const LevelUnits& units, double speed) {
   if (!result.hasPath()) return {};
   QStringList lines;

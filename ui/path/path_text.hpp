@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "footfall/path.hpp"
+#include "footfall/body_path.hpp"
 #include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
 
@@ -12,6 +12,10 @@ namespace footfall::ui {
 
 /// The reason why there is no path, and the nearest place that can be reached; empty when there is a path.
 QString failureText(const PathResult& result, const LevelUnits& units);
+/// The reason why a body does not get where a point does.
+QString bodyFailureText(const BodyPath& path, const LevelUnits& units);
+/// The narrowest passage of a body's path; empty where there is none.
+QString narrowestText(const BodyPath& path, const LevelUnits& units);
 /// Length, time and slopes of a path, one a line. `speed` is in metres a second; drops take as long as a fall.
 QString pathText(const PathResult& result, const LevelUnits& units, double speed);
 

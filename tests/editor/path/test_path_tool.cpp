@@ -218,12 +218,12 @@ class TestPathTool : public EditorSuite {
     window_->commands().find("panel.path")->trigger();
     field("pathStartX")->setFocus();
     QStringList order;
-    for (int i = 0; i < 7; ++i) {
+    for (int i = 0; i < 9; ++i) {
       order << QApplication::focusWidget()->objectName();
       QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     }
     QCOMPARE(order, (QStringList{"pathStartX", "pathStartY", "pathStartZ", "pathTargetX", "pathTargetY", "pathTargetZ",
-                                 "pathSpeed"}));
+                                 "pathRadius", "pathRadiusSlider", "pathSpeed"}));
     for (const char* name : {"pathStartX", "pathTargetZ", "pathSpeed"})
       QVERIFY(!field(name)->accessibleName().isEmpty() && !field(name)->toolTip().isEmpty());
   }

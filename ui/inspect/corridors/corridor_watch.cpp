@@ -7,9 +7,8 @@
 #include <utility>
 
 #include "core/base/worker_arena.hpp"
-#include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "ui/base/core_text.hpp"
+#include "ui/run/without_radius.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -17,22 +16,10 @@ namespace {
 constexpr double kSlitMetres = 0.1;         // as in `footfall corridors`
 constexpr std::size_t kMostLines = 60'000;  // overlays are sent to the graphics card with every frame
 
-/// The pipeline without filters that keep off borders; `found` is whether there was one.
-Pipeline withoutRadius(Pipeline pipeline, bool& found) {
-  for (PipelineStep& step : pipeline.steps) {
-    if (!step.enabled || step.filter->type != FilterType::Radius) continue;
-    step.enabled = false;
-    found = true;
-  }
-  return pipeline;
-}
-
 ShownCorridors makeShown(const FinishedRun& run, ResultCache* cache, RunContext& context) {
   ShownCorridors shown;
-  const Pipeline pipeline = withoutRadius(run.pipeline, shown.isWithoutRadius);
-  const auto mesh =
-      shown.isWithoutRadius ? runPipeline(run.environment, pipeline, context, cache).mesh : run.result.mesh;
-  shown.map = makeCorridorMap(*mesh, {}, &context);
+  shown.isWithoutRadius = hasRadius(run.pipeline);
+  shown.map = makeCorridorMap(*meshWithoutRadius(run, cache, context), {}, &context);
   shown.slit = kSlitMetres / run.environment->metresPerUnit;
   const auto& list = shown.map.bottlenecks;
   shown.slits =

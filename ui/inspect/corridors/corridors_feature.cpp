@@ -9,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "footfall/filter.hpp"
-#include "footfall/filter_type.hpp"
 #include "ui/base/core_colours.hpp"
 #include "ui/base/panel_dock.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
+#include "ui/inspect/corridors/dimension_line.hpp"
+#include "ui/run/without_radius.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {
@@ -25,26 +25,9 @@ const QString kChosenOverlay = QStringLiteral("bottleneck");
 constexpr double kUsualAgentWidth = 0.6;  // metres: a person, shoulder to shoulder
 constexpr double kShownAround = 1.5;      // metres around a bottleneck that is brought into sight
 constexpr int kMostDimensions = 2000;     // bottlenecks that are drawn: overlays are sent with every frame
-constexpr float kMapPixels = 3, kNarrowPixels = 1.5F, kDimensionPixels = 2, kChosenPixels = 4;
+constexpr float kMapPixels = 3, kNarrowPixels = 1.5F, kDimensionPixels = 2;
 
-/// Twice the radius of the pipeline's enabled RadiusFilter; 0 without one.
-double widthOfAgent(const Pipeline& pipeline) {
-  double radius = 0;
-  for (const PipelineStep& step : pipeline.steps)
-    if (step.enabled && step.filter->type == FilterType::Radius) radius = std::max(radius, step.values[0]);
-  return 2 * radius;
-}
-
-SceneBox boxAround(const Bottleneck& b, double margin) {
-  SceneBox box{b.place, b.place};
-  for (const Vec3& p : {b.left, b.right}) {
-    box.lower = {std::min(box.lower.x, p.x), std::min(box.lower.y, p.y), std::min(box.lower.z, p.z)};
-    box.upper = {std::max(box.upper.x, p.x), std::max(box.upper.y, p.y), std::max(box.upper.z, p.z)};
-  }
-  box.lower = {box.lower.x - margin, box.lower.y - margin, box.lower.z};
-  box.upper = {box.upper.x + margin, box.upper.y + margin, box.upper.z};
-  return box;
-}
+Passage passageOf(const Bottleneck& b) { return {b.place, b.left, b.right, b.width}; }
 
 }  // namespace
 
@@ -113,7 +96,7 @@ void CorridorsFeature::takeLevel() {
 void CorridorsFeature::takeUsualWidth() {
   if (isWidthGiven_) return;
   const auto run = controller_.finishedRun();
-  const double width = run ? widthOfAgent(run->pipeline) : 0;
+  const double width = run ? 2 * radiusOf(run->pipeline) : 0;
   const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   panel_->setAgentWidth(width > 0 ? width : kUsualAgentWidth / metres);
 }
@@ -187,11 +170,8 @@ void CorridorsFeature::drawChosen() {
   const QColor colour = isTooNarrow ? widthColour(0) : toColour(kYellow);
   ViewOverlay overlay;
   overlay.throughWalls = true;
-  overlay.lines.push_back({{{chosen->left, chosen->right}}, colour, kChosenPixels, outlineColour()});
-  overlay.marks.push_back({chosen->left, colour, 11});
-  overlay.marks.push_back({chosen->right, colour, 11});
   const QString width = units_.units().length(chosen->width);
-  overlay.labels.push_back({chosen->place, isTooNarrow ? tr("%1, too narrow").arg(width) : width});
+  addDimension(overlay, passageOf(*chosen), colour, isTooNarrow ? tr("%1, too narrow").arg(width) : width);
   view_.setOverlay(kChosenOverlay, std::move(overlay));
 }
 
@@ -201,14 +181,14 @@ void CorridorsFeature::choose(int row) {
   const Bottleneck* chosen = panel_->model().bottleneckOf(row);
   const double metres = file_.environment() ? file_.environment()->metresPerUnit : 1;
   view_.cameraController().setSelectionBounds(
-      kChosenOverlay, chosen ? std::optional(boxAround(*chosen, kShownAround / metres)) : std::nullopt);
+      kChosenOverlay, chosen ? std::optional(boxAround(passageOf(*chosen), kShownAround / metres)) : std::nullopt);
 }
 
 void CorridorsFeature::frame(int row) {
   choose(row);
   const Bottleneck* chosen = panel_->model().bottleneckOf(row);
   if (!chosen) return;
-  const SceneBox box = boxAround(*chosen, kShownAround / file_.environment()->metresPerUnit);
+  const SceneBox box = boxAround(passageOf(*chosen), kShownAround / file_.environment()->metresPerUnit);
   view_.cameraController().frame(box.lower, box.upper);
 }
 

@@ -32,10 +32,16 @@ WalkFeature::WalkFeature(const FeatureHost& host, LevelView& view, PathModel& mo
 
 void WalkFeature::setGround(const PathModel::Ground& ground, double radius, double metresPerUnit) {
   metresPerUnit_ = metresPerUnit;
+  height_ = ground.agentHeight;
+  groundRadius_ = radius;
   const WalkBody body = walkBodyFor(ground.agentHeight, radius);
   walkerView_.setMetre(1 / metresPerUnit);
   walkerView_.setBody(body);
   tool_.setGround(ground, body, metresPerUnit);
+}
+
+void WalkFeature::setBodyRadius(double radius) {
+  walkerView_.setBody(walkBodyFor(height_, radius > 0 ? radius : groundRadius_));
 }
 
 void WalkFeature::setSpeed(double speed) {

@@ -23,6 +23,8 @@ class WalkFeature : public QObject {
   [[nodiscard]] WalkBar* bar() { return bar_; }
   /// The result, and the radius of the agent that it is for, in the environment's units; 0: none.
   void setGround(const PathModel::Ground& ground, double radius, double metresPerUnit);
+  /// The radius of the body that walks the path; 0: that of setGround().
+  void setBodyRadius(double radius);
   /// Metres a second.
   void setSpeed(double speed);
   /// Whether the path, and the walker on it, are shown.
@@ -42,6 +44,7 @@ class WalkFeature : public QObject {
   WalkBar* bar_;
   QAction* play_;
   double metresPerUnit_ = 1;
+  double height_ = 0, groundRadius_ = 0;  ///< of the agent that the ground is for
   double speed_ = 1.4;
 };
 
