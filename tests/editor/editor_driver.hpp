@@ -119,7 +119,7 @@ inline NumberField* openField(EditorWindow& window, std::size_t row, std::size_t
 
 inline QStringList filterNames(EditorWindow& window) {
   QStringList names;
-  for (const FilterEntry& entry : window.document().filters()) {
+  for (const FilterEntry& entry : partOf<Document>(window).filters()) {
     names << QString::fromStdString(formatStep(entry.step)).section(QLatin1Char(' '), 0, 0);
   }
   return names;

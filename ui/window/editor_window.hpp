@@ -89,24 +89,13 @@ class EditorWindow : public QMainWindow {
   /// Returns whether no load, run or export is under way or about to begin, and an opened level has its final camera.
   [[nodiscard]] bool idle() const;
 
-  // The parts that the program and the tests use.
-  [[nodiscard]] CommandRegistry& commands() { return commands_; }
-  [[nodiscard]] Document& document() { return document_; }
+  // The parts that the program uses without a user (ui/window/unattended.hpp). All parts are the window's children.
   [[nodiscard]] LevelFile& file() { return file_; }
-  [[nodiscard]] LevelComposer& composer() { return composer_; }
   [[nodiscard]] RunController& controller() { return controller_; }
-  [[nodiscard]] UnitChoice& units() { return units_; }
-  [[nodiscard]] MessageLog& log() { return log_; }
   [[nodiscard]] LevelView& view() { return *view_; }
   [[nodiscard]] CellWatch& cellWatch() { return cells_->watch(); }
   [[nodiscard]] PackedFeature& packed() { return *packed_; }
-  [[nodiscard]] RecentPhotographer& photographer() { return *pictures_; }
   [[nodiscard]] FileWriter& writer() { return *writer_; }
-  /// The level that runs compute on, with roles of parts and obstacles. Null when nothing is loaded.
-  [[nodiscard]] std::shared_ptr<const Environment> level() const { return composer_.level(); }
-  /// The level as its file gave it.
-  [[nodiscard]] std::shared_ptr<const Environment> environment() const { return file_.environment(); }
-  [[nodiscard]] bool hasUnsavedChanges() const { return sessions_->hasUnsavedChanges(); }
   /// Returns whether the level was opened as a session.
   [[nodiscard]] bool openedSession() const { return !sessions_->path().isEmpty(); }
 
@@ -146,13 +135,13 @@ class EditorWindow : public QMainWindow {
   void cancelWork();
   void updateTitle();
 
-  Document document_;
-  LevelComposer composer_{document_};
+  Document document_{this};
+  LevelComposer composer_{document_, this};
   CommandRegistry commands_{this};
-  UnitChoice units_;
+  UnitChoice units_{this};
   SessionSections sections_;
   RecentFiles recent_;
-  MessageLog log_;
+  MessageLog log_{this};
   bool levelFailed_ = false;  ///< the error of a level that cannot be composed is shown
 
   LevelView* view_ = nullptr;

@@ -237,7 +237,7 @@ class TestAgents : public QObject {
   void switchingBackIsInstant() {
     // About 60,000 triangles.
     window_->openWith(writeFile(*folder_, "waves.obj", wavesObj(173)), parsePipeline(kPipeline, "test"), zUp());
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() && window_->idle(); }, 120000));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() && window_->idle(); }, 120000));
     addAgent(document(), agentOf("low", 1, 50));
     QVERIFY(QTest::qWaitFor([&] { return window_->controller().upToDate(); }, 120000));
     addAgent(document(), agentOf("steep", 2, 30));
@@ -298,11 +298,11 @@ class TestAgents : public QObject {
     EditorWindow other;
     QVERIFY(showWindow(other));
     other.open(path);
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(other));
-    QCOMPARE(other.document().state().agents.size(), std::size_t{2});
-    QCOMPARE(activeAgent(other.document().state())->name, std::string("Wheelchair"));
-    QCOMPARE(activeAgent(other.document().state())->step, 0.013);
+    QCOMPARE(partOf<Document>(other).state().agents.size(), std::size_t{2});
+    QCOMPARE(activeAgent(partOf<Document>(other).state())->name, std::string("Wheelchair"));
+    QCOMPARE(activeAgent(partOf<Document>(other).state())->step, 0.013);
     QCOMPARE(other.findChild<AgentsPanel*>()->table()->currentIndex().row(), 1);
   }
 
@@ -314,7 +314,7 @@ class TestAgents : public QObject {
   }
   void open() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "table.obj", tableObj()), kPipeline));
-    window_->commands().find("panel.agents")->trigger();
+    window_->findChild<QAction*>("panel.agents")->trigger();
     QVERIFY(QTest::qWaitFor([&] { return panel_->isVisible(); }));
   }
   void addPreset(const char* name) {
@@ -340,7 +340,7 @@ class TestAgents : public QObject {
     QTRY_VERIFY(!table->viewport()->findChild<QLineEdit*>());
   }
   QToolButton* button(const char* name) { return panel_->findChild<QToolButton*>(name); }
-  Document& document() { return window_->document(); }
+  Document& document() { return partOf<Document>(*window_); }
   double slope() { return document().filters()[1].step.values[0]; }
   double clearance() { return document().filters()[2].step.values[0]; }
 

@@ -111,7 +111,7 @@ class TestAccessibility : public QObject {
 
   void everyCommandSaysWhatItDoes() {
     QSet<QString> ids, keys;
-    for (const CommandRegistry::Entry& entry : window_->commands().entries()) {
+    for (const CommandRegistry::Entry& entry : partOf<CommandRegistry>(*window_).entries()) {
       QVERIFY2(!entry.action->text().isEmpty(), qPrintable(entry.command.id));
       QVERIFY2(!ids.contains(entry.command.id), qPrintable("twice: " + entry.command.id));
       ids << entry.command.id;

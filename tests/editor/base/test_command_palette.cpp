@@ -121,7 +121,7 @@ class TestCommandPalette : public QObject {
   void everyCommandIsThereWithItsKeys() {
     CommandPalette& palette = openPalette();
     const QStringList titles = palette.titles();
-    for (const CommandRegistry::Entry& entry : window_->commands().entries()) {
+    for (const CommandRegistry::Entry& entry : partOf<CommandRegistry>(*window_).entries()) {
       if (!entry.action->menu())
         QVERIFY2(titles.contains(plainText(entry.action->text())), qPrintable(entry.command.id));
     }
@@ -138,7 +138,7 @@ class TestCommandPalette : public QObject {
     QTest::keyClicks(palette.field(), "table.obj");
     QCOMPARE(palette.titles().front(), QString("Open table.obj"));
     QTest::keyClick(palette.field(), Qt::Key_Return);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
   }
 
   void nothingFoundIsSaid() {
@@ -163,7 +163,7 @@ class TestCommandPalette : public QObject {
       }
       return rows;
     };
-    for (const CommandRegistry::Entry& entry : window_->commands().entries()) {
+    for (const CommandRegistry::Entry& entry : partOf<CommandRegistry>(*window_).entries()) {
       const QString row =
           plainText(entry.action->text()) + '|' +
           QKeySequence::listToString(entry.action->shortcuts(), QKeySequence::NativeText).replace("; ", ", ");
@@ -180,7 +180,7 @@ class TestCommandPalette : public QObject {
 
   void helpFollowsTheFocus() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
-    window_->commands().find("view.help")->trigger();
+    window_->findChild<QAction*>("view.help")->trigger();
     HelpPanel& help = partOf<HelpPanel>(*window_);
     QTRY_VERIFY(help.isVisible());
     QVERIFY(help.toPlainText().contains("F1"));

@@ -81,7 +81,7 @@ class TestGerman : public QObject {
         qPrintable(row->errorText()));
     QVERIFY(!row->errorText().contains("max_slope"));
     QTest::keyClick(field, Qt::Key_Escape);
-    window_->document().replacePipeline(parsePipelineFragment("GridStrategy 2 2\n", "test"), "test");
+    partOf<Document>(*window_).replacePipeline(parsePipelineFragment("GridStrategy 2 2\n", "test"), "test");
     QTRY_COMPARE(partOf<MessageBar>(*window_).text(),
                  QString("Schritt 1 (Gitterstrategie): Gitterstrategie beginnt einen parallelen Block, der nie "
                          "endet; setzen Sie ein Collapse dahinter"));
@@ -89,7 +89,7 @@ class TestGerman : public QObject {
 
  private:
   QString note(std::size_t step) const {
-    return window_->controller().status(window_->document().filters().at(step).id).note;
+    return window_->controller().status(partOf<Document>(*window_).filters().at(step).id).note;
   }
   QString messageAfterOpening(const QString& path) {
     QSignalSpy failed(window_.get(), &EditorWindow::loadFailed);

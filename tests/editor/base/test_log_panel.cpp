@@ -52,19 +52,19 @@ class TestLogPanel : public QObject {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     const QStringList texts = allTexts();
     QVERIFY(texts[0].contains("missing.obj"));
-    QCOMPARE(window_->log().messages()[0].level, MessageLevel::Error);
+    QCOMPARE(partOf<MessageLog>(*window_).messages()[0].level, MessageLevel::Error);
     QVERIFY(texts[1].contains("table.obj"));
     QVERIFY(texts.back().contains("Run finished"));
     QVERIFY(texts.back().contains("6 → 4 triangles"));
-    QVERIFY(window_->log().messages()[0].time <= QDateTime::currentDateTime());
+    QVERIFY(partOf<MessageLog>(*window_).messages()[0].time <= QDateTime::currentDateTime());
   }
 
   void filtersByLevelAndText() {
     LogPanel& panel = openLog();
-    window_->log().clear();
-    window_->log().add(MessageLevel::Note, "a note about doors");
-    window_->log().add(MessageLevel::Hint, "a hint about doors");
-    window_->log().add(MessageLevel::Error, "an error about walls");
+    partOf<MessageLog>(*window_).clear();
+    partOf<MessageLog>(*window_).add(MessageLevel::Note, "a note about doors");
+    partOf<MessageLog>(*window_).add(MessageLevel::Hint, "a hint about doors");
+    partOf<MessageLog>(*window_).add(MessageLevel::Error, "an error about walls");
     QCOMPARE(panel.list()->model()->rowCount(), 3);
     panel.levels()->setFocus();
     QTest::keyClick(panel.levels(), Qt::Key_Down);
@@ -76,9 +76,9 @@ class TestLogPanel : public QObject {
 
   void copiesWhatIsSelected() {
     LogPanel& panel = openLog();
-    window_->log().clear();
-    window_->log().add(MessageLevel::Note, "first\nwith a second line");
-    window_->log().add(MessageLevel::Error, "second");
+    partOf<MessageLog>(*window_).clear();
+    partOf<MessageLog>(*window_).add(MessageLevel::Note, "first\nwith a second line");
+    partOf<MessageLog>(*window_).add(MessageLevel::Error, "second");
     QTest::mouseClick(panel.copyButton(), Qt::LeftButton);
     QVERIFY(QApplication::clipboard()->text().contains("first\n    with a second line\n"));
     QVERIFY(QApplication::clipboard()->text().contains("error  second"));
@@ -91,7 +91,7 @@ class TestLogPanel : public QObject {
 
   void savesAndClears() {
     LogPanel& panel = openLog();
-    window_->log().add(MessageLevel::Note, "to be kept");
+    partOf<MessageLog>(*window_).add(MessageLevel::Note, "to be kept");
     const QString target = folder_->filePath("log.txt");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     QTest::mouseClick(panel.saveButton(), Qt::LeftButton);
@@ -99,7 +99,7 @@ class TestLogPanel : public QObject {
     QVERIFY(written.count() > 0 || written.wait());
     QVERIFY(readFile(target).contains("note  to be kept\n"));
     QTest::mouseClick(panel.clearButton(), Qt::LeftButton);
-    QCOMPARE(window_->log().messages().size(), std::size_t{0});
+    QCOMPARE(partOf<MessageLog>(*window_).messages().size(), std::size_t{0});
   }
 
   void isBoundedAndDoesNotRepeat() {
@@ -120,7 +120,7 @@ class TestLogPanel : public QObject {
     Reacting wrong([] { throw std::runtime_error("the reason"); });
     QCoreApplication::postEvent(&wrong, new QEvent(QEvent::User));
     QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("the reason"));
-    QCOMPARE(window_->log().messages().back().level, MessageLevel::Error);
+    QCOMPARE(partOf<MessageLog>(*window_).messages().back().level, MessageLevel::Error);
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));  // and works on
   }
 
@@ -196,7 +196,7 @@ class TestLogPanel : public QObject {
   }
   QStringList allTexts() {
     QStringList texts;
-    for (const LoggedMessage& message : window_->log().messages()) texts << message.text;
+    for (const LoggedMessage& message : partOf<MessageLog>(*window_).messages()) texts << message.text;
     return texts;
   }
 

@@ -37,7 +37,7 @@ QList<QDockWidget*> docksOf(const EditorWindow& window) {
 /// The commands of the submenu Panels, with the docks that they show.
 std::vector<PanelCommand> panelCommands(EditorWindow& window) {
   std::vector<PanelCommand> panels;
-  for (const CommandRegistry::Entry& entry : window.commands().entries()) {
+  for (const CommandRegistry::Entry& entry : partOf<CommandRegistry>(window).entries()) {
     if (entry.command.menu != CommandMenu::View || entry.command.group != "panels") continue;
     for (QDockWidget* dock : docksOf(window)) {
       const bool its = plainText(entry.action->text()) == dock->windowTitle();
@@ -108,7 +108,7 @@ class TestPanels : public QObject {
   }
 
   void theFocusFollowsThePanel() {
-    QAction* layers = window_->commands().find("panel.layers");
+    QAction* layers = window_->findChild<QAction*>("panel.layers");
     auto* dock = window_->findChild<QDockWidget*>("panel.layers");
     window_->view().setFocus();
     layers->trigger();
@@ -249,7 +249,7 @@ class TestPanels : public QObject {
 
   void noButtonStaysLitBehindADialog() {
     auto* bar = window_->findChild<QToolBar*>("toolBar");
-    QWidget* button = bar->widgetForAction(window_->commands().find("file.open"));
+    QWidget* button = bar->widgetForAction(window_->findChild<QAction*>("file.open"));
     QVERIFY(button);
     QCursor::setPos(button->mapToGlobal(button->rect().center()));
     QTRY_VERIFY(button->underMouse());
@@ -282,14 +282,14 @@ class TestPanels : public QObject {
   void whatIsLeftOutSaysWhetherItWasWalkable() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "flat.obj", tableObj() + "v 0 -4 0\nv 4 0 0\nf 1 2 13\nf 2 3 14\n"),
                     "DegeneracyFilter\nSlopeFilter 45\n"));
-    const StepStatus status = window_->controller().status(window_->document().filters()[0].id);
+    const StepStatus status = window_->controller().status(partOf<Document>(*window_).filters()[0].id);
     QCOMPARE(status.trianglesIn, status.trianglesOut);
     QCOMPARE(status.note, QString("2 triangles without area left out; none was walkable"));
   }
 
   void thePaletteFindsWhatIsInSubmenus() {
-    const auto entries = commandEntries(window_->commands());
-    for (const CommandRegistry::Entry& entry : window_->commands().entries()) {
+    const auto entries = commandEntries(partOf<CommandRegistry>(*window_));
+    for (const CommandRegistry::Entry& entry : partOf<CommandRegistry>(*window_).entries()) {
       if (entry.action->menu()) continue;
       const QString title = plainText(entry.action->text());
       QVERIFY2(std::ranges::any_of(entries, [&](const PaletteEntry& found) { return found.title == title; }),

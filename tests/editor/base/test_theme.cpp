@@ -99,14 +99,14 @@ class TestTheme : public QObject {
     QWidget* panel = &partOf<ImportPanel>(window);
     const QPoint corner(panel->width() - 3, panel->height() - 3);
     QTRY_VERIFY(pixelOf(panel, corner).lightness() > 180);
-    QAction* dark = window.commands().find("view.theme.dark");
+    QAction* dark = window.findChild<QAction*>("view.theme.dark");
     QVERIFY(dark && !dark->isChecked());
     dark->trigger();
     QVERIFY(isDarkTheme());
     QTRY_VERIFY(pixelOf(panel, corner).lightness() < 80);
     QVERIFY(backgroundUpper().lightness() < 60);
-    QVERIFY(!window.commands().find("view.theme.light")->isChecked());
-    window.commands().find("view.theme.light")->trigger();
+    QVERIFY(!window.findChild<QAction*>("view.theme.light")->isChecked());
+    window.findChild<QAction*>("view.theme.light")->trigger();
     QTRY_VERIFY(pixelOf(panel, corner).lightness() > 180);
     QVERIFY(backgroundUpper().lightness() > 200);
   }
@@ -122,7 +122,7 @@ class TestTheme : public QObject {
     const auto background = [&] { return window.view().grabFramebuffer().pixelColor(3, 3).lightness(); };
     QVERIFY(background() > 180);
     for (const auto& [id, dark] : {std::pair{"view.theme.dark", true}, std::pair{"view.theme.light", false}}) {
-      window.commands().find(id)->trigger();
+      window.findChild<QAction*>(id)->trigger();
       QTRY_COMPARE(isDarkTheme(), dark);
       QCOMPARE(background() < 80, dark);
     }

@@ -222,7 +222,7 @@ class TestUntranslated : public QObject {
     for (QMenu* menu : window.findChildren<QMenu*>()) emit menu->aboutToShow();
     texts.insert(textsOf(window));
     for (const char* tool : {"tools.path", "tools.measure", "tools.seeds", "inspect.why", "obstacle.box", "view.fly"}) {
-      window.commands().find(tool)->trigger();
+      window.findChild<QAction*>(tool)->trigger();
       QTest::mouseClick(&window.view(), Qt::LeftButton, {}, window.view().rect().center());
       QTest::qWait(50);
       texts.insert(textsOf(window));
@@ -230,14 +230,14 @@ class TestUntranslated : public QObject {
     if (auto* add = window.findChild<QMenu*>("addAgentMenu"); add && !add->actions().isEmpty())
       add->actions().front()->trigger();
     for (const char* dialog : {"file.export", "help.keys", "help.about", "help.palette", "file.open"}) {
-      window.commands().find(dialog)->trigger();
+      window.findChild<QAction*>(dialog)->trigger();
       QWidget* shown = nullptr;
       if (!QTest::qWaitFor([&] { return (shown = QApplication::activeModalWidget()) != nullptr; })) continue;
       if (QByteArray(dialog) != "file.open") texts.insert(textsOf(*shown));
       shown->close();
       QTest::qWait(20);
     }
-    for (const QByteArray id : {"view.cells", "view.cutPlane"}) window.commands().find(id)->setChecked(true);
+    for (const QByteArray id : {"view.cells", "view.cutPlane"}) window.findChild<QAction*>(id)->setChecked(true);
     QTest::qWait(200);
     texts.insert(textsOf(window));
     return texts;

@@ -246,19 +246,20 @@ class TestCellsInView : public EditorSuite {
   void aBlockFromTheCacheKeepsItsFigures() {
     QVERIFY(openGrid());
     const auto run = model().blocks()[0].run;
-    window_->document().setValue(window_->document().filters().back().id, 0, 1, 1);  // The filter is behind Collapse.
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters().back().id, 0, 1,
+                                        1);  // The filter is behind Collapse.
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().finishedRun()->result.blocks.empty());
     QCOMPARE(model().blocks().size(), std::size_t{1});
     QCOMPARE(model().blocks()[0].run, run);
     // The block goes, the cells go, and both come back.
-    const auto id = [this](std::size_t row) { return window_->document().filters()[row].id; };
-    window_->document().setEnabled(id(0), false);
-    window_->document().setEnabled(id(3), false);
+    const auto id = [this](std::size_t row) { return partOf<Document>(*window_).filters()[row].id; };
+    partOf<Document>(*window_).setEnabled(id(0), false);
+    partOf<Document>(*window_).setEnabled(id(3), false);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(model().empty());
-    window_->document().undoStack()->undo();
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(model().blocks().size(), std::size_t{1});
   }
@@ -270,17 +271,17 @@ class TestCellsInView : public EditorSuite {
     window_->setCellsShown({false, true, CellColouring::Thread});
     QVERIFY(partOf<LoadPanel>(*window_).showsEmptyState());
     const QStringList before = filterNames(*window_);
-    const int clearance = window_->document().filters()[3].id;
+    const int clearance = partOf<Document>(*window_).filters()[3].id;
     QTest::mouseClick(partOf<LoadPanel>(*window_).parallelButton(), Qt::LeftButton);
     QCOMPARE(filterNames(*window_), (QStringList{"DuplicationFilter", "AutoStrategy", "DegeneracyFilter", "SlopeFilter",
                                                  "VerticalClearanceFilter", "Collapse", "AreaFilter"}));
-    QCOMPARE(window_->document().filters()[4].id, clearance);  // rows keep their identity
+    QCOMPARE(partOf<Document>(*window_).filters()[4].id, clearance);  // rows keep their identity
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(!partOf<LoadPanel>(*window_).showsEmptyState());
     QVERIFY(partOf<FilterList>(*window_).rows()[1]->figuresText().contains("1 cell"));
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QCOMPARE(filterNames(*window_), before);
-    QVERIFY(!window_->document().undoStack()->canUndo());
+    QVERIFY(!partOf<Document>(*window_).undoStack()->canUndo());
   }
 
   void parallelBlocksGoRoundLocalFiltersOnly() {
@@ -300,8 +301,8 @@ class TestCellsInView : public EditorSuite {
 
   void aPreviewNeedsNoRun() {
     QVERIFY(openGrid());
-    window_->document().setEnabled(window_->document().filters()[0].id, false);
-    window_->document().setEnabled(window_->document().filters()[3].id, false);
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters()[0].id, false);
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters()[3].id, false);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(model().empty());
     const auto run = window_->controller().finishedRun();
@@ -316,14 +317,15 @@ class TestCellsInView : public EditorSuite {
   void aStrategyWithoutItsEndIsPreviewedByItself() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(20)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
-    window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);  // refused, until there is a Collapse
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::GridStrategy),
+                                         1);  // refused, until there is a Collapse
     QTRY_VERIFY(model().previewing());
     const std::size_t cells = model().shownBlock()->report.cells.size();
-    window_->document().setValue(window_->document().filters()[1].id, 0, 7, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 7, 1);
     QTRY_VERIFY(model().shownBlock()->report.cells.size() != cells);
     QVERIFY(model().previewing());
-    window_->document().undoStack()->undo();
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QTRY_VERIFY(!model().previewing());
   }
 
@@ -371,7 +373,7 @@ class TestCellsInView : public EditorSuite {
   void theWindowAnswersWhileAPreviewIsMade() {
     QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(174)), "SlopeFilter 45\n"));
     window_->setCellsShown({true, true, CellColouring::Thread});
-    window_->document().addFilter(filterDescriptor(FilterType::GridStrategy), 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::GridStrategy), 1);
     qint64 longest = 0;
     QElapsedTimer clock;
     clock.start();
@@ -395,7 +397,7 @@ class TestCellsInView : public EditorSuite {
     connect(&window_->controller(), &RunController::statusChanged, this, [&] {
       if (!window_->controller().busy()) return;
       const auto state = [&](std::size_t row) {
-        return window_->controller().status(window_->document().filters()[row].id).state;
+        return window_->controller().status(partOf<Document>(*window_).filters()[row].id).state;
       };
       // The strategy is done before its filters begin, and Collapse waits for them.
       if (state(2) == StepState::Running) ranTogether = ranTogether && state(0) == StepState::Done;
@@ -407,9 +409,9 @@ class TestCellsInView : public EditorSuite {
     QVERIFY(told.back() == std::pair(std::size_t{64}, true));
     for (std::size_t i = 1; i < told.size(); ++i) QVERIFY(told[i].first >= told[i - 1].first);
     QVERIFY(ranTogether);
-    const StepStatus filter = window_->controller().status(window_->document().filters()[2].id);
+    const StepStatus filter = window_->controller().status(partOf<Document>(*window_).filters()[2].id);
     QVERIFY(filter.state == StepState::Done);
-    QVERIFY(window_->controller().status(window_->document().filters()[3].id).state == StepState::Done);
+    QVERIFY(window_->controller().status(partOf<Document>(*window_).filters()[3].id).state == StepState::Done);
   }
 
   void eventsOfCellsAreKeptForTheWindow() {

@@ -125,7 +125,7 @@ class TestTimeUse : public QObject {
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(40)),
                     "GridStrategy 2 2\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\nAreaFilter 0\n"));
-    window.commands().find("view.load")->trigger();
+    window.findChild<QAction*>("view.load")->trigger();
     auto* feature = window.findChild<CellsFeature*>();
     QVERIFY(feature);
     LoadPanel& panel = feature->panel();
@@ -151,7 +151,7 @@ class TestTimeUse : public QObject {
     shoot(window, "load-measured");
     // An edit ends it.
     QTest::mouseClick(page.button(), Qt::LeftButton);
-    window.document().setValue(window.document().filters()[1].id, 0, 30, 1);
+    partOf<Document>(window).setValue(partOf<Document>(window).filters()[1].id, 0, 30, 1);
     QVERIFY(!feature->measurement().busy());
     QVERIFY(feature->measurement().runs().empty());
     QVERIFY(waitUntilIdle(window));

@@ -130,8 +130,8 @@ class TestFilterList : public QObject {
     key(Qt::Key_V, Qt::ControlModifier);
     QCOMPARE(names(), (QStringList{"Degeneracy", "Slope", "Collapse", "Area"}));
     QCOMPARE(selected(), (QList<int>{1, 2}));
-    QVERIFY(!window_->document().filters()[1].step.enabled);
-    QCOMPARE(window_->document().filters()[1].step.values[0], 30.5);
+    QVERIFY(!partOf<Document>(*window_).filters()[1].step.enabled);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 30.5);
     QCOMPARE(undoText(), QString("Paste 2 filters"));
   }
 
@@ -188,7 +188,7 @@ class TestFilterList : public QObject {
   }
 
   void aBlockKeepsWhatItNeeds() {
-    window_->document().replacePipeline(
+    partOf<Document>(*window_).replacePipeline(
         parsePipeline("DegeneracyFilter\nGridStrategy 2 2\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n"
                       "AreaFilter 0.5\n",
                       "test"),
@@ -255,7 +255,7 @@ class TestFilterList : public QObject {
 
   void draggingAValueFollowsAndIsOneEdit() {
     auto* field = openField(*window_, 1);
-    const int count = window_->document().undoStack()->count();
+    const int count = partOf<Document>(*window_).undoStack()->count();
     const auto at = [&](int x) { return QPoint(8 + x, field->height() / 2); };
     QTest::mousePress(field, Qt::LeftButton, Qt::NoModifier, at(0));
     const QPoint origin = field->mapToGlobal(QPoint());  // the row may make way for longer texts meanwhile
@@ -266,7 +266,7 @@ class TestFilterList : public QObject {
     }
     QCOMPARE(slope(), 65.0);
     QTest::mouseRelease(field, Qt::LeftButton, Qt::NoModifier, at(80));
-    QCOMPARE(window_->document().undoStack()->count(), count + 1);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), count + 1);
     QCOMPARE(undoText(), QString::fromUtf8("Change maximum slope 45° → 65°"));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
@@ -291,9 +291,9 @@ class TestFilterList : public QObject {
     QVERIFY(badge && !badge->isVisible());
     QTest::mouseClick(partOf<FilterList>(*window_).automaticBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
     QVERIFY(!window_->controller().automatic());
-    QVERIFY(!window_->commands().find("pipeline.automatic")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("pipeline.automatic")->isChecked());
     const QSignalSpy started(&window_->controller(), &RunController::started);
-    window_->document().setValue(window_->document().filters()[1].id, 0, 70, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 70, 1);
     QTest::qWait(200);
     QCOMPARE(started.count(), 0);
     QVERIFY(badge->isVisible());
@@ -303,13 +303,13 @@ class TestFilterList : public QObject {
     QVERIFY(!badge->isVisible());
     QCOMPARE(window_->controller().finishedRun()->pipeline.steps[1].values[0], 70.0);
     // The mark's own button, and switching back.
-    window_->document().setValue(window_->document().filters()[1].id, 0, 71, 2);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 71, 2);
     QTRY_VERIFY(badge->isVisible());
     QTest::mouseClick(badge->runButton(), Qt::LeftButton);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
-    window_->document().setValue(window_->document().filters()[1].id, 0, 72, 3);
-    window_->commands().find("pipeline.automatic")->trigger();
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 72, 3);
+    window_->findChild<QAction*>("pipeline.automatic")->trigger();
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
     QVERIFY(partOf<FilterList>(*window_).automaticBox()->isChecked());
@@ -324,23 +324,23 @@ class TestFilterList : public QObject {
     EditorWindow other;
     QVERIFY(showWindow(other));
     other.open(path);
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(other));
     QVERIFY(!other.controller().automatic());
     QVERIFY(other.controller().upToDate());  // opening runs once
   }
 
   void theHistoryNamesEditsAndGoesBack() {
-    window_->commands().find("panel.history")->trigger();
+    window_->findChild<QAction*>("panel.history")->trigger();
     auto* history = window_->findChild<QAbstractItemView*>("undoHistory");
     QVERIFY(history && history->isVisible());
-    window_->document().setValue(window_->document().filters()[1].id, 0, 50, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 50, 1);
     click(2);
     key(Qt::Key_Delete);
     QCOMPARE(history->model()->rowCount(), 3);
     QCOMPARE(history->model()->index(1, 0).data().toString(), QString::fromUtf8("Change maximum slope 45° → 50°"));
     QCOMPARE(history->model()->index(2, 0).data().toString(), QString("Remove Vertical clearance"));
-    QCOMPARE(window_->commands().find("edit.undo")->text(), QString("&Undo Remove Vertical clearance"));
+    QCOMPARE(window_->findChild<QAction*>("edit.undo")->text(), QString("&Undo Remove Vertical clearance"));
     QTest::mouseClick(history->viewport(), Qt::LeftButton, Qt::NoModifier,
                       history->visualRect(history->model()->index(0, 0)).center());
     QCOMPARE(names().size(), 4);
@@ -396,9 +396,9 @@ class TestFilterList : public QObject {
     }
     QApplication::activePopupWidget()->close();
   }
-  void trigger(const char* action) { window_->commands().find(action)->trigger(); }
-  double slope() { return window_->document().filters()[1].step.values[0]; }
-  QString undoText() { return window_->document().undoStack()->undoText(); }
+  void trigger(const char* action) { window_->findChild<QAction*>(action)->trigger(); }
+  double slope() { return partOf<Document>(*window_).filters()[1].step.values[0]; }
+  QString undoText() { return partOf<Document>(*window_).undoStack()->undoText(); }
   QList<int> selected() {
     QList<int> indices;
     for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
@@ -409,7 +409,7 @@ class TestFilterList : public QObject {
   }
   QList<bool> enabled() {
     QList<bool> on;
-    for (const FilterEntry& entry : window_->document().filters()) on << entry.step.enabled;
+    for (const FilterEntry& entry : partOf<Document>(*window_).filters()) on << entry.step.enabled;
     return on;
   }
   QStringList names() {

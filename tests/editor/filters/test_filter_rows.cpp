@@ -36,29 +36,29 @@ class TestFilterRows : public QObject {
   // Undo goes back to the result that is shown, whatever a failed, cancelled or overtaken run left.
   void rowsShowTheRunThatIsShownAfterUndo() {
     const QString figures = row(2)->figuresText();
-    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Collapse), 1);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(row(4)->stateText(), QString("failed"));
     undo();
     expectShown(figures);
     // The runs are one that is overtaken, one that is cancelled, and one that nothing waits for.
     for (const int kind : {0, 1, 2}) {
-      window_->document().setValue(window_->document().filters()[1].id, 0, 30 + kind, kind);
-      if (kind == 0) window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, kind + 10);
+      partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 30 + kind, kind);
+      if (kind == 0) partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[2].id, 0, 1.5, kind + 10);
       if (kind == 1) window_->controller().cancel();
-      while (window_->document().undoStack()->index() > 0) undo();
+      while (partOf<Document>(*window_).undoStack()->index() > 0) undo();
       QVERIFY(waitUntilIdle(*window_));
       expectShown(figures);
     }
   }
 
   void aCancelledRunLeavesOtherListsAlone() {
-    window_->document().setValue(window_->document().filters()[1].id, 0, 30, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 30, 1);
     window_->controller().cancel();
     QCOMPARE(row(0)->stateText(), QString("done"));
     QCOMPARE(row(3)->stateText(), QString("cancelled"));
     window_->controller().setAutomatic(false);
-    window_->document().setValue(window_->document().filters()[1].id, 0, 31, 2);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 31, 2);
     QCOMPARE(row(3)->stateText(), QString("out of date"));
     undo();
     QCOMPARE(row(3)->stateText(), QString("cancelled"));
@@ -67,7 +67,7 @@ class TestFilterRows : public QObject {
   }
 
   void equalRowsThatChangePlacesStayDone() {
-    Document& document = window_->document();
+    Document& document = partOf<Document>(*window_);
     document.addFilter(filterDescriptor(FilterType::Degeneracy), 1);
     document.moveFilter(document.filters()[4].id, 1);
     QVERIFY(waitUntilIdle(*window_));
@@ -144,7 +144,7 @@ class TestFilterRows : public QObject {
     QVERIFY(!steps->isEnabled());
     QCOMPARE(steps->text(), QString("Steps: needs Vertical clearance before it"));
     QVERIFY(actionFor(addMenu(), "SlopeFilter")->isEnabled());
-    window_->document().replacePipeline(
+    partOf<Document>(*window_).replacePipeline(
         parsePipeline("GridStrategy 2 2\nSlopeFilter 45\nVerticalClearanceFilter 2\nCollapse\n", "test"), "test");
     click(1);
     QMenu* menu = addMenu();
@@ -155,7 +155,7 @@ class TestFilterRows : public QObject {
 
   // Filters that need the clearance are skipped while it is off; one click enables it again.
   void rowsWithoutTheirClearanceAreSkipped() {
-    window_->document().replacePipeline(
+    partOf<Document>(*window_).replacePipeline(
         parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4\nAreaFilter 0.5\n", "test"), "test");
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(row(2)->stateText(), QString("done"));
@@ -186,7 +186,7 @@ class TestFilterRows : public QObject {
   // Errors of the list itself appear on its rows before any run.
   void errorsAreForeseen() {
     window_->controller().setAutomatic(false);
-    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Collapse), 1);
     QCOMPARE(row(4)->stateText(), QString("failed"));
     QVERIFY(row(4)->errorText().contains("Collapse ends no parallel block"));
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
@@ -198,7 +198,7 @@ class TestFilterRows : public QObject {
   FilterRow* row(int index) { return partOf<FilterList>(*window_).rows()[static_cast<std::size_t>(index)]; }
   void click(int index) { QTest::mouseClick(row(index)->nameLabel(), Qt::LeftButton); }
   void key(Qt::Key key) { QTest::keyClick(QApplication::focusWidget(), key); }
-  void undo() { window_->document().undoStack()->undo(); }
+  void undo() { partOf<Document>(*window_).undoStack()->undo(); }
   void expectShown(const QString& figures) {
     QCOMPARE(names().size(), 4);
     QVERIFY(window_->controller().upToDate());
@@ -223,7 +223,7 @@ class TestFilterRows : public QObject {
     }
     qFatal("no filter %s", filter);
   }
-  QString undoText() { return window_->document().undoStack()->undoText(); }
+  QString undoText() { return partOf<Document>(*window_).undoStack()->undoText(); }
   QList<int> selected() {
     QList<int> indices;
     for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
@@ -234,7 +234,7 @@ class TestFilterRows : public QObject {
   }
   QList<bool> enabled() {
     QList<bool> on;
-    for (const FilterEntry& entry : window_->document().filters()) on << entry.step.enabled;
+    for (const FilterEntry& entry : partOf<Document>(*window_).filters()) on << entry.step.enabled;
     return on;
   }
   QStringList names() {

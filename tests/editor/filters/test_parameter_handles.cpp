@@ -59,9 +59,9 @@ class TestParameterHandles : public QObject {
     QVERIFY(handles_->measures().empty());
     choose(Radius);
     QCOMPARE(handles_->measures().size(), std::size_t{1});  // ledges keep the same distance
-    window_->document().setValue(id(Radius), 1, 0.25, 1);
+    partOf<Document>(*window_).setValue(id(Radius), 1, 0.25, 1);
     QCOMPARE(handles_->measures().size(), std::size_t{2});
-    window_->document().setEnabled(id(Radius), false);
+    partOf<Document>(*window_).setEnabled(id(Radius), false);
     QVERIFY(handles_->measures().empty());
   }
 
@@ -80,28 +80,28 @@ class TestParameterHandles : public QObject {
   void aHandleChangesItsValue() {
     choose(Clearance);
     const ParameterMeasure measure = handles_->measures()[0];
-    const int edits = window_->document().undoStack()->count();
+    const int edits = partOf<Document>(*window_).undoStack()->count();
     dragHandle(0, measure.at + Vec3{0, 0, 1.5});
     // A pixel of this view is two centimetres, and values are rounded to one.
     QVERIFY2(std::abs(value(Clearance) - 1.5) < 0.025, qPrintable(QString::number(value(Clearance))));
     QCOMPARE(value(Clearance), std::round(value(Clearance) * 100) / 100);
-    QCOMPARE(window_->document().undoStack()->count(), edits + 1);  // one edit
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), edits + 1);  // one edit
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->controller().finishedRun()->pipeline.steps[Clearance].values[0], value(Clearance));
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QCOMPARE(value(Clearance), 2.0);
   }
 
   void aClickOnAHandleEditsNothing() {
-    window_->document().setValue(id(Clearance), 0, 1.987654321, 1);
+    partOf<Document>(*window_).setValue(id(Clearance), 0, 1.987654321, 1);
     QVERIFY(waitUntilIdle(*window_));
     choose(Clearance);
-    const int edits = window_->document().undoStack()->count();
+    const int edits = partOf<Document>(*window_).undoStack()->count();
     const Vec3 handle = handles_->measures()[0].handle();
     press(handle);
     release(handle);
     QCOMPARE(value(Clearance), 1.987654321);
-    QCOMPARE(window_->document().undoStack()->count(), edits);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), edits);
   }
 
   void anAngleIsTurned() {
@@ -178,7 +178,7 @@ class TestParameterHandles : public QObject {
   void aToolHasTheMouseAlone() {
     choose(Clearance);
     const Vec3 handle = handles_->measures()[0].handle();
-    window_->commands().find(QStringLiteral("tools.measure"))->trigger();
+    window_->findChild<QAction*>(QStringLiteral("tools.measure"))->trigger();
     QVERIFY(window_->view().tool() != nullptr);
     QVERIFY(handles_->measures().empty());
     press(handle);
@@ -203,8 +203,10 @@ class TestParameterHandles : public QObject {
   }
 
  private:
-  int id(Row row) { return window_->document().filters()[row].id; }
-  double value(Row row, std::size_t parameter = 0) { return window_->document().filters()[row].step.values[parameter]; }
+  int id(Row row) { return partOf<Document>(*window_).filters()[row].id; }
+  double value(Row row, std::size_t parameter = 0) {
+    return partOf<Document>(*window_).filters()[row].step.values[parameter];
+  }
   void choose(Row row) {
     partOf<FilterList>(*window_).choose({id(row)});
     if (row != Area) QTRY_VERIFY(!handles_->measures().empty());  // the camera may have moved just before

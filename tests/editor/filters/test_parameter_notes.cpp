@@ -47,13 +47,13 @@ class TestParameterNotes : public QObject {
     const QString expected =
         "Steps: most risers here are 0.25 high, a little more than the step, and are not climbed; give 0.26";
     QTRY_COMPARE(partOf<MessageBar>(window).text(), expected);
-    const int id = window.document().filters()[2].id;
-    window.document().setValue(id, 0, 0.26, 1);
+    const int id = partOf<Document>(window).filters()[2].id;
+    partOf<Document>(window).setValue(id, 0, 0.26, 1);
     QVERIFY(waitUntilIdle(window));
     QTRY_COMPARE(partOf<MessageBar>(window).text(), QString());
-    window.document().undoStack()->undo();
+    partOf<Document>(window).undoStack()->undo();
     QTRY_COMPARE(partOf<MessageBar>(window).text(), expected);
-    window.document().setValue(window.document().filters()[0].id, 0, 40, 2);  // reported once
+    partOf<Document>(window).setValue(partOf<Document>(window).filters()[0].id, 0, 40, 2);  // reported once
     QVERIFY(waitUntilIdle(window));
     QTest::qWait(100);
     QCOMPARE(partOf<MessageBar>(window).text(), QString());
@@ -77,12 +77,12 @@ class TestParameterNotes : public QObject {
     QVERIFY(set);
     QVERIFY2(set->text().endsWith("to 0.0003"), qPrintable(set->text()));
     set->click();
-    QCOMPARE(window.document().filters()[0].step.values[1], 0.0003);
+    QCOMPARE(partOf<Document>(window).filters()[0].step.values[1], 0.0003);
     QVERIFY(waitUntilIdle(window));
     QVERIFY(area() > before + 2800);
     QVERIFY(partOf<MessageBar>(window).text().isEmpty());
-    window.document().undoStack()->undo();
-    QCOMPARE(window.document().filters()[0].step.values[1], 0.0);
+    partOf<Document>(window).undoStack()->undo();
+    QCOMPARE(partOf<Document>(window).filters()[0].step.values[1], 0.0);
     QVERIFY(waitUntilIdle(window));
   }
 
@@ -118,7 +118,7 @@ class TestParameterNotes : public QObject {
     for (auto* button : partOf<MessageBar>(window).findChildren<QPushButton*>())
       if (button->isVisible()) button->click();
     QVERIFY(waitUntilIdle(window));
-    QCOMPARE(window.document().state().import.metresPerUnit, std::optional(10.0));
+    QCOMPARE(partOf<Document>(window).state().import.metresPerUnit, std::optional(10.0));
   }
 };
 

@@ -41,7 +41,7 @@ class TestPresets : public QObject {
   void oneClickTakesAPreset() {
     choose("Thesis, parallel");
     QCOMPARE(filterNames(*window_).size(), 13);
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("Use preset Thesis, parallel"));
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QString("Use preset Thesis, parallel"));
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(filterNames(*window_).size(), 2);
   }
@@ -89,7 +89,7 @@ class TestPresets : public QObject {
              qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(filterNames(*window_).size(), 2);
     const PresetStore store(settingsFolder());
-    store.save("Good", window_->document().pipeline());
+    store.save("Good", partOf<Document>(*window_).pipeline());
     QVERIFY_THROWS_EXCEPTION(InputError, store.rename("Good", "Broken"));
     QVERIFY_THROWS_EXCEPTION(InputError, store.rename("Nowhere", "Else"));
     QVERIFY_THROWS_EXCEPTION(InputError, (void)store.remove("Nowhere"));

@@ -77,8 +77,8 @@ class TestSeeds : public QObject {
     QCOMPARE(area(), 64.0);
     undo();
     QCOMPARE(filterNames(*window_), (QStringList{"SlopeFilter", "VerticalClearanceFilter", "AreaFilter"}));
-    window_->document().undoStack()->redo();
-    window_->document().undoStack()->redo();
+    partOf<Document>(*window_).undoStack()->redo();
+    partOf<Document>(*window_).undoStack()->redo();
     QCOMPARE(row()->fieldCount(), 6U);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 72.0);
@@ -88,7 +88,7 @@ class TestSeeds : public QObject {
     startTool();
     clickInView(*window_, {-2, -2, 0});
     clickInView(*window_, {2, 2, 0});
-    const int edits = window_->document().undoStack()->count();
+    const int edits = partOf<Document>(*window_).undoStack()->count();
     const CameraPose pose = window_->view().cameraController().pose();
     QTest::mousePress(&window_->view(), Qt::LeftButton, {}, placeInView(*window_, seeds()[1]));
     for (int i = 1; i <= 5; ++i) {
@@ -97,7 +97,7 @@ class TestSeeds : public QObject {
     }
     QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, placeInView(*window_, {7, 0, 0}));
     QVERIFY(std::fabs(seeds()[1].x - 7) < 0.05 && std::fabs(seeds()[1].y) < 0.05);
-    QCOMPARE(window_->document().undoStack()->count(), edits + 1);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), edits + 1);
     QVERIFY(window_->view().cameraController().pose().position == pose.position);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 72.0);
@@ -114,18 +114,18 @@ class TestSeeds : public QObject {
     QTest::keyClick(&window_->view(), Qt::Key_Backspace);
     QCOMPARE(seeds().size(), 1U);
     QTest::keyClick(&window_->view(), Qt::Key_Escape);
-    QVERIFY(!window_->commands().find("tools.seeds")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("tools.seeds")->isChecked());
     QVERIFY(!row()->placeButton()->isChecked());
   }
 
   void theRowPlacesEditsAndRemoves() {
-    window_->document().addFilter(filterDescriptor(FilterType::Reachable), 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Reachable), 1);
     QCOMPARE(row()->fieldCount(), 0U);
     QTRY_VERIFY2(row()->errorText().contains("has no seed; give the coordinates"), qPrintable(row()->errorText()));
     QCOMPARE(area(), 72.0);  // the result before stays
     QTest::mouseClick(row()->nameLabel(), Qt::LeftButton);
     QTest::mouseClick(row()->placeButton(), Qt::LeftButton);
-    QVERIFY(window_->commands().find("tools.seeds")->isChecked() && row()->placeButton()->isChecked());
+    QVERIFY(window_->findChild<QAction*>("tools.seeds")->isChecked() && row()->placeButton()->isChecked());
     clickInView(*window_, {-2, -2, 0});
     QVERIFY(row()->placeButton()->isChecked());
     QVERIFY(waitUntilIdle(*window_));
@@ -143,15 +143,15 @@ class TestSeeds : public QObject {
     QTest::keyClicks(y, "-1.5");
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 8.0);
-    QVERIFY2(window_->document().undoStack()->undoText().startsWith("Change y "),
-             qPrintable(window_->document().undoStack()->undoText()));
+    QVERIFY2(partOf<Document>(*window_).undoStack()->undoText().startsWith("Change y "),
+             qPrintable(partOf<Document>(*window_).undoStack()->undoText()));
     x->selectAll();
     QTest::keyClicks(x, "5");  // The place is between floor and island.
     QTRY_VERIFY2(row()->errorText().contains("seed 1 at 5 -1.5 "), qPrintable(row()->errorText()));
     QTest::mouseClick(row()->removeGroupButton(0), Qt::LeftButton);
     QTRY_COMPARE(row()->fieldCount(), 0U);
     QTest::mouseClick(row()->placeButton(), Qt::LeftButton);
-    QVERIFY(!window_->commands().find("tools.seeds")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("tools.seeds")->isChecked());
   }
 
   void marksAreDrawnWhileTheirRowIsCurrent() {
@@ -166,7 +166,7 @@ class TestSeeds : public QObject {
     QTRY_VERIFY(isMarked());
     window_->view().setTool(nullptr);
     QVERIFY(isMarked());
-    partOf<FilterList>(*window_).choose({window_->document().filters()[0].id});
+    partOf<FilterList>(*window_).choose({partOf<Document>(*window_).filters()[0].id});
     QTRY_VERIFY(!isMarked());
   }
 
@@ -174,9 +174,10 @@ class TestSeeds : public QObject {
     startTool();
     clickInView(*window_, {-2, -2, 0});
     clickInView(*window_, {7, 0, 0});
-    window_->document().addFilter(filterDescriptor(FilterType::Reachable), 1);  // The filter has no seeds, and is off.
-    window_->document().setEnabled(window_->document().filters().back().id, false);
-    const Pipeline pipeline = window_->document().pipeline();
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Reachable),
+                                         1);  // The filter has no seeds, and is off.
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters().back().id, false);
+    const Pipeline pipeline = partOf<Document>(*window_).pipeline();
     Session session;
     session.pipeline = pipeline;
     const QString path = folder_->filePath("a.footfall");
@@ -190,12 +191,12 @@ class TestSeeds : public QObject {
   void aFilterOfManySeedsHasARowOfReasonableHeight() {
     std::string text = "ReachableFilter";
     for (int i = 0; i < 1000; ++i) text += " 1 1 0.25";
-    window_->document().replacePipeline(parsePipeline(text + "\n", "test"), "many");
+    partOf<Document>(*window_).replacePipeline(parsePipeline(text + "\n", "test"), "many");
     QCOMPARE(row()->fieldCount(), 72U);
     QCOMPARE(row()->findChild<QLabel*>("moreSeeds")->text(), QString("and 976 more"));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 64.0);
-    window_->document().replacePipeline(parsePipeline("ReachableFilter 7 0 0\n", "test"), "one");
+    partOf<Document>(*window_).replacePipeline(parsePipeline("ReachableFilter 7 0 0\n", "test"), "one");
     QVERIFY(row()->findChild<QLabel*>("moreSeeds")->isHidden());
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(area(), 8.0);
@@ -213,8 +214,8 @@ class TestSeeds : public QObject {
     QCOMPARE(area(), 64.0);
     const Vec3 seed = seeds()[0];
     QVERIFY(std::fabs(seed.x - 2) < 0.05 && seed.y > 0 && seed.y < 0.01 && std::fabs(seed.z - 3) < 0.05);
-    const Pipeline scaled = rescaleLengths(window_->document().pipeline(), 1, 0.01);
-    QCOMPARE(scaled.steps[2].values, window_->document().pipeline().steps[2].values);
+    const Pipeline scaled = rescaleLengths(partOf<Document>(*window_).pipeline(), 1, 0.01);
+    QCOMPARE(scaled.steps[2].values, partOf<Document>(*window_).pipeline().steps[2].values);
     QCOMPARE(scaled.steps[1].values[0], 50.0);
   }
 
@@ -226,16 +227,16 @@ class TestSeeds : public QObject {
     return texts;
   }
   void startTool() {
-    window_->commands().find("tools.seeds")->trigger();
+    window_->findChild<QAction*>("tools.seeds")->trigger();
     window_->view().setFocus();
   }
-  void undo() { window_->document().undoStack()->undo(); }
+  void undo() { partOf<Document>(*window_).undoStack()->undo(); }
   [[nodiscard]] double area() const { return window_->controller().finishedRun()->result.summary.area; }
   [[nodiscard]] std::vector<Vec3> seeds() const {
-    return seedsOf(window_->document(), filterOfSeeds(window_->document()));
+    return seedsOf(partOf<Document>(*window_), filterOfSeeds(partOf<Document>(*window_)));
   }
   [[nodiscard]] FilterRow* row() const {
-    const int id = filterOfSeeds(window_->document());
+    const int id = filterOfSeeds(partOf<Document>(*window_));
     for (FilterRow* row : partOf<FilterList>(*window_).rows())
       if (row->entryId() == id) return row;
     return nullptr;

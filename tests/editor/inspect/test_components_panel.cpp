@@ -76,11 +76,11 @@ class TestComponentsPanel : public QObject {
     QCOMPARE(text(3, ComponentsModel::Centre), QStringLiteral("0.5, 0.5, 0"));
     QVERIFY2(panel().totalText().startsWith("4 components, 30.00 units²"), qPrintable(panel().totalText()));
     // The list follows edits.
-    window_->document().setEnabled(window_->document().filters()[3].id, false);
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters()[3].id, false);
     QVERIFY(waitUntilIdle(*window_));
     QTRY_COMPARE(table()->model()->rowCount(), 4);
-    window_->document().setValue(window_->document().filters()[3].id, 0, 5, 1);
-    window_->document().setEnabled(window_->document().filters()[3].id, true);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[3].id, 0, 5, 1);
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters()[3].id, true);
     QTRY_COMPARE(table()->model()->rowCount(), 2);
   }
 
@@ -180,7 +180,7 @@ class TestComponentsPanel : public QObject {
     return window_->findChild<QDockWidget*>(QStringLiteral("inspect.components"));
   }
   void open() {
-    QAction* action = window_->commands().find(QStringLiteral("inspect.components"));
+    QAction* action = window_->findChild<QAction*>(QStringLiteral("inspect.components"));
     QVERIFY(action != nullptr);
     action->trigger();
     QTRY_VERIFY(panel().isVisible());

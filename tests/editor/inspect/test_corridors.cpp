@@ -183,7 +183,7 @@ class TestCorridors : public EditorSuite {
   // A radius makes passages narrower; the panel has them as they are, and its width is the agent's.
   void itFollowsTheResult() {
     open();
-    Document& document = window_->document();
+    Document& document = partOf<Document>(*window_);
     document.addFilter(filterDescriptor(FilterType::Radius), 1);
     const int radius = document.filters().back().id;
     document.setValue(radius, 0, 0.25, 1);
@@ -244,7 +244,7 @@ class TestCorridors : public EditorSuite {
     return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue()) < 60;
   }
   void open() {
-    QAction* action = window_->commands().find(QStringLiteral("panel.corridors"));
+    QAction* action = window_->findChild<QAction*>(QStringLiteral("panel.corridors"));
     QVERIFY(action != nullptr);
     action->trigger();
     QTRY_COMPARE_WITH_TIMEOUT(panel().model().rowCount(), 1, kWaitMs);

@@ -62,9 +62,9 @@ class TestMeasureTool : public QObject {
     dialog->accept();
     QTRY_COMPARE_WITH_TIMEOUT(partOf<ImportPanel>(*window_).scaleField()->value(), 0.5, kWaitMs);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->document().state().import.metresPerUnit.value(), 0.5);
+    QCOMPARE(partOf<Document>(*window_).state().import.metresPerUnit.value(), 0.5);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(!window_->document().state().import.metresPerUnit.has_value());
+    QVERIFY(!partOf<Document>(*window_).state().import.metresPerUnit.has_value());
   }
 
   void clicksMeasureAndSnap() {
@@ -122,7 +122,7 @@ class TestMeasureTool : public QObject {
     QCOMPARE(tool_->places().size(), 1U);
     QTest::keyClick(&window_->view(), Qt::Key_Escape);
     QCOMPARE(window_->view().tool(), nullptr);
-    QVERIFY(!window_->commands().find("tools.measure")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("tools.measure")->isChecked());
   }
 
   void aDoubleClickEndsTheLine() {
@@ -160,7 +160,7 @@ class TestMeasureTool : public QObject {
   void startTool() {
     window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_M);
-    QVERIFY(window_->commands().find("tools.measure")->isChecked());
+    QVERIFY(window_->findChild<QAction*>("tools.measure")->isChecked());
     QVERIFY(window_->findChild<QDockWidget*>("panel.measure")->isVisible());
     QTest::qWait(50);
   }

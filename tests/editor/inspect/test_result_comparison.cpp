@@ -35,7 +35,7 @@ class TestCompare : public EditorSuite {
   void cleanup() { closeWindow(); }
 
   void theLastEdit() {
-    QAction* command = window_->commands().find("view.compareEdit");
+    QAction* command = window_->findChild<QAction*>("view.compareEdit");
     command->trigger();
     QVERIFY(command->isChecked());
     QVERIFY(feature_->panel().isVisible());
@@ -59,7 +59,7 @@ class TestCompare : public EditorSuite {
     shoot(*window_, "compare-framed");
 
     // Undo is an edit, too: they go again.
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QTRY_VERIFY(waitUntilIdle(*window_) && feature_->watch().difference() && difference().hasArea[0]);
     QVERIFY(!difference().hasArea[1]);
     QCOMPARE(difference().areas[0].surface, 4.0);
@@ -72,15 +72,15 @@ class TestCompare : public EditorSuite {
   }
 
   void resultsOfOneDragAreOneEdit() {
-    window_->commands().find("view.compareEdit")->trigger();
+    window_->findChild<QAction*>("view.compareEdit")->trigger();
     const int id = clearanceId();
     for (const double height : {1.9, 1.5, 0.9, 0.5}) {
-      window_->document().setValue(id, 0, height, 7);  // one session of the field
+      partOf<Document>(*window_).setValue(id, 0, height, 7);  // one session of the field
       QVERIFY(waitUntilIdle(*window_));
     }
     QVERIFY(waitForDifference());
     QCOMPARE(difference().areas[1].surface, 4.0);
-    window_->document().setValue(id, 0, 0.4, 8);
+    partOf<Document>(*window_).setValue(id, 0, 0.4, 8);
     QTRY_VERIFY(waitUntilIdle(*window_) && !feature_->watch().busy() && difference().empty());
     QTRY_VERIFY(feature_->panel().summary().contains("cover the same area"));
   }
@@ -139,7 +139,7 @@ class TestCompare : public EditorSuite {
   }
 
   void anotherLevelEndsIt() {
-    window_->commands().find("view.compareEdit")->trigger();
+    window_->findChild<QAction*>("view.compareEdit")->trigger();
     setClearance(0.5);
     QVERIFY(waitForDifference());
     QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), kPipeline));
@@ -154,12 +154,12 @@ class TestCompare : public EditorSuite {
     return notes->isHidden() ? QString() : notes->text();
   }
   [[nodiscard]] int clearanceId() const {
-    for (const FilterEntry& entry : window_->document().filters())
+    for (const FilterEntry& entry : partOf<Document>(*window_).filters())
       if (entry.step.filter->type == FilterType::VerticalClearance) return entry.id;
     return 0;
   }
   void setClearance(double height) {
-    window_->document().setValue(clearanceId(), 0, height, -1);
+    partOf<Document>(*window_).setValue(clearanceId(), 0, height, -1);
     QVERIFY(waitUntilIdle(*window_));
   }
   bool waitForDifference() {

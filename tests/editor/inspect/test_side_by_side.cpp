@@ -77,7 +77,7 @@ class TestSideBySide : public EditorSuite {
     QVERIFY(!side_->isOpen() && !side_->otherView());
     QTest::qWait(50);
     QVERIFY(distance(a.pose().position, pose.position) < 1e-9);
-    QVERIFY(!window_->commands().find("view.sideBySide")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("view.sideBySide")->isChecked());
   }
 
   // Each half shows all that was in sight, and the one view afterwards is as large as it was.
@@ -113,20 +113,20 @@ class TestSideBySide : public EditorSuite {
     openPair();
     setClearance(0.5);
     QVERIFY(waitForBoth());
-    const Pipeline a = window_->document().pipeline();
+    const Pipeline a = partOf<Document>(*window_).pipeline();
     const Pipeline b = side_->other();
     QVERIFY(!(a == b));
     QTest::mouseClick(side_->bar().swapButton(), Qt::LeftButton);
-    QVERIFY(window_->document().pipeline() == b && side_->other() == a);
+    QVERIFY(partOf<Document>(*window_).pipeline() == b && side_->other() == a);
     QVERIFY(waitForBoth());
     QTRY_COMPARE(side_->bar().cell(1, 0), QString("68.00 units²"));
     QCOMPARE(side_->bar().cell(2, 0), QString("+4.00 units²"));
     QTest::mouseClick(side_->bar().keepBButton(), Qt::LeftButton);
     QVERIFY(!side_->isOpen());
-    QVERIFY(window_->document().pipeline() == a);
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("Keep pipeline B"));
-    window_->document().undoStack()->undo();
-    QVERIFY(window_->document().pipeline() == b);
+    QVERIFY(partOf<Document>(*window_).pipeline() == a);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QString("Keep pipeline B"));
+    partOf<Document>(*window_).undoStack()->undo();
+    QVERIFY(partOf<Document>(*window_).pipeline() == b);
   }
 
   void sourcesOfB() {
@@ -140,7 +140,7 @@ class TestSideBySide : public EditorSuite {
     preset->trigger();
     QVERIFY(waitForBoth());
     QVERIFY(!(side_->other() == parsePipeline(kPipeline, "test")));
-    QVERIFY(window_->document().pipeline() == parsePipeline(kPipeline, "test"));
+    QVERIFY(partOf<Document>(*window_).pipeline() == parsePipeline(kPipeline, "test"));
     // One that fails says so, and the view keeps what it showed.
     side_->open(parsePipeline("SlopeFilter 45\nReachableFilter 100 100 100\n", "test"), "fails");
     QTRY_VERIFY2(side_->bar().note().startsWith("B: "), qPrintable(side_->bar().note()));
@@ -150,7 +150,7 @@ class TestSideBySide : public EditorSuite {
   void followsTheLevel() {
     openPair();
     // An obstacle is an obstacle for both.
-    DocumentState next = window_->document().state();
+    DocumentState next = partOf<Document>(*window_).state();
     PlacedObstacle box;
     box.id = 1;
     box.name = "box";
@@ -158,7 +158,7 @@ class TestSideBySide : public EditorSuite {
     box.size = {1, 1, 1};
     next.obstacles.push_back(box);
     const QString before = side_->bar().cell(1, 2);
-    window_->document().edit(next, "place a box");
+    partOf<Document>(*window_).edit(next, "place a box");
     QVERIFY(waitForBoth());
     QTRY_VERIFY(side_->bar().cell(1, 2) != before && side_->bar().cell(1, 2) != "…");  // its top is a part
     QTRY_COMPARE(side_->bar().cell(0, 2), side_->bar().cell(1, 2));
@@ -179,15 +179,15 @@ class TestSideBySide : public EditorSuite {
   void nothingToCompareBeforeALevel() {
     EditorWindow empty;
     empty.setRemembering(false);
-    QVERIFY(!empty.commands().find("view.sideBySide")->isEnabled());
+    QVERIFY(!empty.findChild<QAction*>("view.sideBySide")->isEnabled());
   }
 
  private:
   static QString builtInName() { return "Parallel"; }
   void openPair() {
-    window_->commands().find("view.sideBySide")->trigger();
+    window_->findChild<QAction*>("view.sideBySide")->trigger();
     QVERIFY(side_->isOpen());
-    QVERIFY(window_->commands().find("view.sideBySide")->isChecked());
+    QVERIFY(window_->findChild<QAction*>("view.sideBySide")->isChecked());
     QVERIFY(waitForBoth());
     QTRY_VERIFY(side_->bar().cell(2, 0) != "…");
   }
@@ -195,7 +195,7 @@ class TestSideBySide : public EditorSuite {
     return waitUntilIdle(*window_) && QTest::qWaitFor([&] { return !side_->isBusy(); }, kWaitMs);
   }
   void setClearance(double value) {
-    window_->document().setValue(window_->document().filters()[1].id, 0, value, -1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, value, -1);
     QVERIFY(waitUntilIdle(*window_));
   }
 

@@ -83,7 +83,7 @@ class TestWhy : public QObject {
   void cleanup() { window_.reset(); }
 
   void saysHowToAsk() {
-    QAction* action = window_->commands().find(QStringLiteral("inspect.why"));
+    QAction* action = window_->findChild<QAction*>(QStringLiteral("inspect.why"));
     QVERIFY(action && action->shortcut() == QKeySequence(Qt::Key_Y));
     QVERIFY(!dock()->isVisible());
     QTest::keyClick(window_.get(), Qt::Key_Y);
@@ -139,7 +139,7 @@ class TestWhy : public QObject {
     QVERIFY(told->obstacle && told->obstacle->height == 1.75);
     QVERIFY2(panel().reason().contains("lintel, oak"), qPrintable(panel().reason()));
     QVERIFY(panel().findChild<QLabel*>(QStringLiteral("whyTriangle"))->text().contains("floor, stone"));
-    const Environment& level = *window_->level();
+    const Environment& level = *partOf<LevelComposer>(*window_).level();
     for (const auto v : level.triangles[told->obstacle->triangle]) QCOMPARE(level.vertices[v].z, 1.75);
 
     // Seen through the view: the obstacle's colour, and the label.
@@ -164,7 +164,7 @@ class TestWhy : public QObject {
     QTRY_COMPARE(panel().headline(), QStringLiteral("Walkable"));
     QVERIFY2(panel().reason().contains("component 1 of"), qPrintable(panel().reason()));
     QVERIFY(!panel().filterButton()->isVisible());
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QTRY_COMPARE(panel().headline(), QStringLiteral("Not walkable: too low"));
 
     // Esc in the view ends the tool and what it drew; closing the panel ends the work.
@@ -196,7 +196,7 @@ class TestWhy : public QObject {
     window_->view().cameraController().viewOblique();
     // The wall faces away: it is skipped or picked, as it is drawn.
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Walkable"));
-    window_->commands().find("view.inside")->trigger();
+    window_->findChild<QAction*>("view.inside")->trigger();
     QCOMPARE(headlineAt({-3, 0.1, 1}), QStringLiteral("Not walkable: a wall"));
     // Return picks the place of the mouse.
     const QPoint place = window_->view().project({2, 2.5, 0})->toPoint();

@@ -52,8 +52,8 @@ class TestEnvironmentPanel : public QObject {
     QVERIFY(showWindow(*window_));
     room_ = writeFile(*folder_, "room.obj", roomObj());
     QVERIFY(openZUp(*window_, room_, kPipeline));
-    window_->commands().find("view.parts")->trigger();  // hides or shows
-    if (!tools().dock()->isVisible()) window_->commands().find("view.parts")->trigger();
+    window_->findChild<QAction*>("view.parts")->trigger();  // hides or shows
+    if (!tools().dock()->isVisible()) window_->findChild<QAction*>("view.parts")->trigger();
     tools().dock()->raise();
     QVERIFY(QTest::qWaitFor([this] { return tree().isVisible(); }));
   }
@@ -76,17 +76,17 @@ class TestEnvironmentPanel : public QObject {
   void aBoxLeavesOutAndTakesIn() {
     clickBox(row("table"));
     QCOMPARE(area(), 64.0);
-    QCOMPARE(window_->level()->triangles.size(), std::size_t{2});
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(), std::size_t{2});
     QCOMPARE(row("table").data(Qt::CheckStateRole).toInt(), int(Qt::Unchecked));
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("Ignore 2 parts"));
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QString("Ignore 2 parts"));
     tree().expand(row("table"));
     clickBox(row("wood"));
     QCOMPARE(row("table").data(Qt::CheckStateRole).toInt(), int(Qt::PartiallyChecked));
-    QCOMPARE(window_->level()->triangles.size(), std::size_t{4});
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(), std::size_t{4});
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(area(), 64.0);
-    QCOMPARE(window_->level()->triangles.size(), std::size_t{6});
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(), std::size_t{6});
     QCOMPARE(row("table").data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
   }
 
@@ -102,13 +102,13 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(area(), 56.0);
     QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 64.0);
-    QVERIFY(window_->document().state().partRules.empty());
+    QVERIFY(partOf<Document>(*window_).state().partRules.empty());
     select("ground · stone");
     auto* ignore = tools().panel().findChild<QAction*>("roleIgnored");
     for (QToolButton* button : tools().panel().findChildren<QToolButton*>())
       if (button->defaultAction() == ignore) QTest::mouseClick(button, Qt::LeftButton);
     QCOMPARE(area(), 8.0);
-    QCOMPARE(window_->document().undoStack()->undoText(), QString("Ignore ground/stone"));
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QString("Ignore ground/stone"));
   }
 
   void aBuildingHasUsualRolesAndStoreys() {
@@ -120,18 +120,18 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(role("IfcDoor · Ground: Door"), QString("ignored"));
     QCOMPARE(role("IfcFurniture · Ground: Table"), QString("obstacle only"));
     QCOMPARE(area(), 16e6);
-    QVERIFY(window_->document().state().partRules.empty());
+    QVERIFY(partOf<Document>(*window_).state().partRules.empty());
     auto* layers = window_->findChild<QTreeWidget*>(QStringLiteral("layerList"));
     QCOMPARE(layers->topLevelItem(0)->text(1), QString("0 · Ground"));
     // Roles that differ are the user's, and usual ones are not stored.
     select("IfcDoor · Ground: Door");
     QTest::keyClick(&tree(), Qt::Key_1, Qt::AltModifier | Qt::ShiftModifier);
     QVERIFY(area() < 16e6);
-    QVERIFY(
-        (window_->document().state().partRules == std::vector<PartRule>{{"IfcDoor", "Ground: Door", PartRole::Floor}}));
+    QVERIFY((partOf<Document>(*window_).state().partRules ==
+             std::vector<PartRule>{{"IfcDoor", "Ground: Door", PartRole::Floor}}));
     QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 16e6);
-    QVERIFY(window_->document().state().partRules.empty());
+    QVERIFY(partOf<Document>(*window_).state().partRules.empty());
   }
 
   void everythingIgnoredAndBack() {
@@ -139,7 +139,7 @@ class TestEnvironmentPanel : public QObject {
     tree().selectAll();
     QTest::keyClick(&tree(), Qt::Key_3, Qt::AltModifier | Qt::ShiftModifier);
     QCOMPARE(area(), 0.0);
-    QVERIFY(window_->level()->triangles.empty());
+    QVERIFY(partOf<LevelComposer>(*window_).level()->triangles.empty());
     QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
     QCOMPARE(area(), 64.0);
@@ -215,19 +215,19 @@ class TestEnvironmentPanel : public QObject {
     QCOMPARE(area(), 64.0);
     QTest::mouseClick(partOf<ImportPanel>(*window_).bothSidesBox(), Qt::LeftButton);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->level()->triangles.size(), std::size_t{2});
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(), std::size_t{2});
     QTRY_COMPARE(window_->view().environmentGeometry()->surface.size(), std::size_t{6});
   }
 
   void coordinatesArePutOnAGrid() {
-    QCOMPARE(window_->environment()->grid.step, 0.0);
+    QCOMPARE(window_->file().environment()->grid.step, 0.0);
     QComboBox& grid = *partOf<ImportPanel>(*window_).gridBox();
     grid.setCurrentIndex(1);
     emit grid.activated(1);
-    QTRY_VERIFY(window_->environment()->grid.step > 0);
+    QTRY_VERIFY(window_->file().environment()->grid.step > 0);
     QVERIFY(waitUntilIdle(*window_));
-    window_->document().undoStack()->undo();
-    QTRY_COMPARE(window_->environment()->grid.step, 0.0);
+    partOf<Document>(*window_).undoStack()->undo();
+    QTRY_COMPARE(window_->file().environment()->grid.step, 0.0);
     QCOMPARE(grid.currentIndex(), 0);
   }
 
@@ -250,11 +250,11 @@ class TestEnvironmentPanel : public QObject {
     tree().setFocus();
     time("selecting all", [&] { tree().selectAll(); });
     time("a role for all", [&] { QTest::keyClick(&tree(), Qt::Key_2, Qt::AltModifier | Qt::ShiftModifier); });
-    time("undo", [&] { window_->document().undoStack()->undo(); });
-    window_->document().undoStack()->redo();
+    time("undo", [&] { partOf<Document>(*window_).undoStack()->undo(); });
+    partOf<Document>(*window_).undoStack()->redo();
     QVERIFY2(worst < 500, qPrintable(QString::number(worst)));  // generous: the machine may be busy
     QCOMPARE(area(), 0.0);
-    QCOMPARE(window_->document().state().partRules.size(), std::size_t{10000});
+    QCOMPARE(partOf<Document>(*window_).state().partRules.size(), std::size_t{10000});
   }
 
  private:

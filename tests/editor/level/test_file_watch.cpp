@@ -74,23 +74,25 @@ class TestFileWatch : public QObject {
   void whatAnotherProgramSavesIsReadAgain() {
     window_->view().cameraController().viewFromTop();
     window_->view().cameraController().zoomBy(1.5);
-    DocumentState state = window_->document().state();
+    DocumentState state = partOf<Document>(*window_).state();
     state.partRules = {{"board", "", PartRole::ObstacleOnly}};
-    window_->document().edit(std::move(state), "role");
+    partOf<Document>(*window_).edit(std::move(state), "role");
     QVERIFY(waitUntilIdle(*window_));
     const QPoint shown = placeOnScreen({1, 1, 0});
-    const auto before = window_->level();
+    const auto before = partOf<LevelComposer>(*window_).level();
     writeFile(*folder_, "level.obj", boardObj(3));
     QTRY_COMPARE(done_->count(), 1);
     QCOMPARE(partOf<MessageBar>(*window_).text(), QString("level.obj changed on disk; read again"));
     QCOMPARE(area(), 55.0);
-    QVERIFY(window_->level()->edit && window_->level()->edit->base.lock() == before);  // computed as a change
-    QCOMPARE(window_->document().state().partRules.size(), std::size_t{1});
-    QVERIFY(window_->document().undoStack()->canUndo());
+    QVERIFY(partOf<LevelComposer>(*window_).level()->edit &&
+            partOf<LevelComposer>(*window_).level()->edit->base.lock() == before);  // computed as a change
+    QCOMPARE(partOf<Document>(*window_).state().partRules.size(), std::size_t{1});
+    QVERIFY(partOf<Document>(*window_).undoStack()->canUndo());
     // The message takes a strip of the view; the picture stays where it is.
     QVERIFY((placeOnScreen({1, 1, 0}) - shown).manhattanLength() <= 2);
     QCOMPARE(filterNames(*window_), QStringList({"SlopeFilter", "VerticalClearanceFilter"}));
-    QCOMPARE(window_->view().environmentGeometry()->surface.size(), window_->level()->triangles.size() * 3);
+    QCOMPARE(window_->view().environmentGeometry()->surface.size(),
+             partOf<LevelComposer>(*window_).level()->triangles.size() * 3);
     QTest::qWait(400);
     QCOMPARE(done_->count(), 1);  // once
   }
@@ -133,7 +135,7 @@ class TestFileWatch : public QObject {
     const QString text = partOf<MessageBar>(*window_).text();
     QVERIFY2(text.contains("level.obj changed on disk, but") && text.contains("level.obj:1"), qPrintable(text));
     QCOMPARE(window_->controller().finishedRun(), run);
-    QCOMPARE(window_->environment()->triangles.size(), std::size_t{14});
+    QCOMPARE(window_->file().environment()->triangles.size(), std::size_t{14});
     writeFile(*folder_, "level.obj", boardObj(1));
     QTRY_COMPARE(done_->count(), 1);
     QCOMPARE(freeFloor(), 63.0);
@@ -186,7 +188,7 @@ class TestFileWatch : public QObject {
     writeFile(*folder_, "triangle.bin", gltfBuffer(4));
     const QString gltf = writeFile(*folder_, "level.gltf", kGltf);
     window_->openWith(gltf, parsePipeline(kPipeline, "test"), {});
-    QTRY_VERIFY(window_->environment()->source == gltf.toStdString());
+    QTRY_VERIFY(window_->file().environment()->source == gltf.toStdString());
     QCOMPARE(area(), 8.0);
     writeFile(*folder_, "triangle.bin", gltfBuffer(2));
     QTRY_COMPARE(done_->count(), 1);
@@ -197,7 +199,7 @@ class TestFileWatch : public QObject {
   void onlyTheOpenFileIsWatched() {
     const QString other = writeFile(*folder_, "other.obj", tableObj());
     QVERIFY(openZUp(*window_, other, kPipeline));
-    QTRY_VERIFY(window_->environment()->source == other.toStdString());
+    QTRY_VERIFY(window_->file().environment()->source == other.toStdString());
     writeFile(*folder_, "level.obj", boardObj(3));
     QTest::qWait(500);
     QCOMPARE(done_->count(), 0);
@@ -231,7 +233,7 @@ class TestFileWatch : public QObject {
   /// The area of the floor without the board's own top.
   double freeFloor() {
     const double all = area();
-    const auto& level = *window_->level();
+    const auto& level = *partOf<LevelComposer>(*window_).level();
     double board = 0;
     for (std::size_t t = 0; t < level.triangles.size(); ++t) {
       if (level.partOf.empty() || level.parts[level.partOf[t]].mesh != "board") continue;

@@ -75,8 +75,8 @@ class TestObstacleTools : public QObject {
     drag(handle(Handle::MovePlan), {3, 1, 0}, Qt::ShiftModifier);
     QVERIFY(obstacle().base.x > 2 && obstacle().base.y >= 0.25);
     QCOMPARE(obstacle().base.z, 0.0);
-    QCOMPARE(window_->document().undoStack()->count(), 2);
-    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Move Box 1"));
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), 2);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QStringLiteral("Move Box 1"));
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(rooms(), std::size_t{1});
 
@@ -141,7 +141,7 @@ class TestObstacleTools : public QObject {
       const Vec3 from = placeOfHandle(which);
       drag(at(from), at({from.x + by.x, from.y + by.y, from.z + by.z}));
       const PlacedObstacle result = obstacle();
-      window_->document().undoStack()->undo();
+      partOf<Document>(*window_).undoStack()->undo();
       return result;
     };
     PlacedObstacle after = along(Handle::MoveX, {1.5, 0, 0});
@@ -166,7 +166,7 @@ class TestObstacleTools : public QObject {
     after = along(Handle::Turn, {-y - x, x - y, 0});
     QVERIFY(std::abs(after.turn - 90) < 3);
     QCOMPARE(obstacle(), start);
-    QCOMPARE(window_->document().undoStack()->redoText(), QStringLiteral("Turn Box 1"));
+    QCOMPARE(partOf<Document>(*window_).undoStack()->redoText(), QStringLiteral("Turn Box 1"));
     // Shift turns in steps of 15 degrees.
     drag(at(grip), at({-3 + x * 0.8 - y * 0.6, x * 0.6 + y * 0.8, 0}), Qt::ShiftModifier);
     QCOMPARE(std::fmod(obstacle().turn, 15.0), 0.0);
@@ -177,7 +177,7 @@ class TestObstacleTools : public QObject {
     place({Shape::Box, {-3, 0, 0}});
     QVERIFY(waitUntilIdle(*window_));
     const double area = walkableArea();
-    const int entries = window_->document().undoStack()->count();
+    const int entries = partOf<Document>(*window_).undoStack()->count();
     const QPoint from = handle(Handle::MovePlan);
     send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton, {});
     for (int i = 1; i <= 20; ++i) {
@@ -188,7 +188,7 @@ class TestObstacleTools : public QObject {
     QTest::keyClick(&view(), Qt::Key_Escape);
     send(QEvent::MouseButtonRelease, from + QPoint(120, 0), Qt::LeftButton, Qt::NoButton, {});
     QCOMPARE(obstacle().base, (Vec3{-3, 0, 0}));
-    QCOMPARE(window_->document().undoStack()->count(), entries);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), entries);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(walkableArea(), area);
     QVERIFY(view().tool() == &features_->selectTool());
@@ -213,8 +213,8 @@ class TestObstacleTools : public QObject {
     QVERIFY2(started.count() - finished.count() <= 1, qPrintable(QString::number(started.count())));
     send(QEvent::MouseButtonRelease, from + QPoint(180, 0), Qt::LeftButton, Qt::NoButton, {});
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->controller().finishedRun()->environment, window_->level());
-    QCOMPARE(window_->document().undoStack()->count(), 2);
+    QCOMPARE(window_->controller().finishedRun()->environment, partOf<LevelComposer>(*window_).level());
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), 2);
   }
 
   void theBodyMovesOverTheGround() {
@@ -246,7 +246,7 @@ class TestObstacleTools : public QObject {
     QTest::qWait(800);
     QTest::keyClick(&view(), Qt::Key_Left);
     QTest::qWait(800);
-    QCOMPARE(window_->document().undoStack()->count(), 3);  // nudges in a row are one
+    QCOMPARE(partOf<Document>(*window_).undoStack()->count(), 3);  // nudges in a row are one
     QTest::keyClick(&view(), Qt::Key_D, Qt::ControlModifier);
     QCOMPARE(features_->editor().obstacles().size(), std::size_t{2});
     QCOMPARE(QString::fromStdString(features_->editor().selected()->name), QStringLiteral("Box 2"));
@@ -258,11 +258,11 @@ class TestObstacleTools : public QObject {
     QCOMPARE(features_->editor().obstacles().size(), std::size_t{2});
     // Alt drags a copy, one edit.
     features_->editor().select(1);
-    const int entries = window_->document().undoStack()->count();
+    const int entries = partOf<Document>(*window_).undoStack()->count();
     drag(handle(Handle::MoveX), handle(Handle::MoveX) + QPoint(90, 0), Qt::AltModifier);
     QCOMPARE(features_->editor().obstacles().size(), std::size_t{3});
-    QCOMPARE(window_->document().undoStack()->undoText(), QStringLiteral("Duplicate Box 1"));
-    QVERIFY(window_->document().undoStack()->count() <= entries + 1);
+    QCOMPARE(partOf<Document>(*window_).undoStack()->undoText(), QStringLiteral("Duplicate Box 1"));
+    QVERIFY(partOf<Document>(*window_).undoStack()->count() <= entries + 1);
   }
 
   void numbersInThePanel() {
@@ -286,7 +286,7 @@ class TestObstacleTools : public QObject {
     QCOMPARE(obstacle().base.x, 1.5);
     QCOMPARE(obstacle().size.z, 2.25);
     QCOMPARE(obstacle().turn, 30.0);
-    QTRY_COMPARE(window_->document().undoStack()->count(), 5);  // one for each field
+    QTRY_COMPARE(partOf<Document>(*window_).undoStack()->count(), 5);  // one for each field
     // A size that is no extent is explained, and the last one stays.
     type(3, "-1");
     QVERIFY(!panel.field(3)->problem().isEmpty());
@@ -327,15 +327,17 @@ class TestObstacleTools : public QObject {
     QCOMPARE(rooms(), std::size_t{2});
     QCOMPARE(exported("again.obj"), before);
     // The view has them, with the numbers of the level.
-    QCOMPARE(view().environmentGeometry()->surface.size(), 3 * window_->level()->triangles.size());
+    QCOMPARE(view().environmentGeometry()->surface.size(),
+             3 * partOf<LevelComposer>(*window_).level()->triangles.size());
     view().cameraController().viewFromTop();
     const auto seen = view().pick(at({-3, 0.4, 0}));
     QVERIFY(seen);
-    QCOMPARE(window_->composer().obstacleOf(seen->triangle), std::optional<std::uint32_t>(obstacles[0].id));
+    QCOMPARE(partOf<LevelComposer>(*window_).obstacleOf(seen->triangle), std::optional<std::uint32_t>(obstacles[0].id));
     // The obstacles stay when the file is read again.
     partOf<ImportPanel>(*window_).bothSidesBox()->click();
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(view().environmentGeometry()->surface.size(), 3 * window_->level()->triangles.size());
+    QCOMPARE(view().environmentGeometry()->surface.size(),
+             3 * partOf<LevelComposer>(*window_).level()->triangles.size());
   }
 
  private:
@@ -347,7 +349,7 @@ class TestObstacleTools : public QObject {
   };
 
   LevelView& view() { return window_->view(); }
-  QAction* command(const char* id) { return window_->commands().find(QLatin1String(id)); }
+  QAction* command(const char* id) { return window_->findChild<QAction*>(QLatin1String(id)); }
   const PlacedObstacle& obstacle() { return *features_->editor().find(features_->editor().obstacles().front().id); }
   /// Places by the editor; the tool for moving is on then.
   void place(const Wanted& wanted) {

@@ -63,15 +63,15 @@ class TestPackedView : public QObject {
   void whatFitsOpensAsAnyOther() {
     window_->open(city_);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->environment()->triangles.size(), std::size_t{packed_->faceCount()});
+    QCOMPARE(window_->file().environment()->triangles.size(), std::size_t{packed_->faceCount()});
     QVERIFY(!window_->view().backdrop());
     QVERIFY(window_->packed().statusText().isEmpty());
-    QVERIFY(!window_->commands().find("pipeline.runHere")->isEnabled());
+    QVERIFY(!window_->findChild<QAction*>("pipeline.runHere")->isEnabled());
   }
 
   void aLargeOneIsCoarseAndAPartRuns() {
     openLarge();
-    const auto level = window_->environment();
+    const auto level = window_->file().environment();
     QVERIFY(!level->triangles.empty() && level->triangles.size() <= kTiny.part);
     // Exports say that they are of a part.
     const QString source = QString::fromStdString(level->frame().source);
@@ -103,9 +103,9 @@ class TestPackedView : public QObject {
     openLarge();
     const PartPlace place = window_->file().loaded().part->place;
     const PackedFaces faces = packed_->facesTouching(boxOf(place));
-    QCOMPARE(window_->environment()->triangles, faces.soup.triangles);
-    QVERIFY(window_->environment()->vertices == faces.soup.vertices);
-    QCOMPARE(window_->environment()->partOf, faces.partOf);
+    QCOMPARE(window_->file().environment()->triangles, faces.soup.triangles);
+    QVERIFY(window_->file().environment()->vertices == faces.soup.vertices);
+    QCOMPARE(window_->file().environment()->partOf, faces.partOf);
   }
 
   void blocksComeAndGoWithTheCamera() {
@@ -158,7 +158,7 @@ class TestPackedView : public QObject {
     QVERIFY(waitUntilIdle(*window_));
     const Vec3 middle = window_->view().placeInTheMiddle();
     const QPointF seen = onScreen(middle);
-    QAction* here = window_->commands().find("pipeline.runHere");
+    QAction* here = window_->findChild<QAction*>("pipeline.runHere");
     QVERIFY(here->isEnabled());
     here->trigger();
     QVERIFY(waitUntilIdle(*window_));
@@ -169,8 +169,9 @@ class TestPackedView : public QObject {
     // The message has gone, and the view is larger: what was seen is still there on the screen.
     const QPointF moved = onScreen(middle) - seen;
     QVERIFY2(moved.manhattanLength() < 3, qPrintable(QString("%1, %2").arg(moved.x()).arg(moved.y())));
-    QVERIFY(window_->environment()->triangles.size() <= kTiny.part);
-    QCOMPARE(window_->environment()->triangles.size(), packed_->facesTouching(boxOf(second)).soup.triangles.size());
+    QVERIFY(window_->file().environment()->triangles.size() <= kTiny.part);
+    QCOMPARE(window_->file().environment()->triangles.size(),
+             packed_->facesTouching(boxOf(second)).soup.triangles.size());
     QVERIFY(window_->controller().finishedRun());
     // The picture around the part has no triangles of the part.
     const Vec3 centre = window_->view().environmentGeometry()->centre;
@@ -210,7 +211,7 @@ class TestPackedView : public QObject {
     QVERIFY(QTest::qWaitFor(
         [&] { return other.file().loaded().part && other.file().loaded().part->place == place && other.idle(); },
         kWaitMs));
-    QCOMPARE(other.environment()->triangles.size(), window_->environment()->triangles.size());
+    QCOMPARE(other.file().environment()->triangles.size(), window_->file().environment()->triangles.size());
     QVERIFY(other.openedSession());
   }
 
@@ -255,7 +256,7 @@ class TestPackedView : public QObject {
     window_->file().setPackedLimits(kTiny);
     window_->open(file);
     QVERIFY(waitUntilIdle(*window_));
-    const auto before = window_->environment();
+    const auto before = window_->file().environment();
     const PartPlace place = window_->file().loaded().part->place;
     // A wall over the part.
     QByteArray obj = readFile(folder_.filePath("city.obj"));
@@ -269,8 +270,8 @@ class TestPackedView : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).text().contains("read again"); }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->file().loaded().part->place == place);
-    QCOMPARE(window_->environment()->triangles.size(), before->triangles.size() + 2);
-    QCOMPARE(window_->level()->triangles.size(), before->triangles.size() + 2);
+    QCOMPARE(window_->file().environment()->triangles.size(), before->triangles.size() + 2);
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(), before->triangles.size() + 2);
     QVERIFY(window_->view().environmentGeometry()->whole);
     QCOMPARE(window_->file().loaded().part->environment->faceCount(), packed_->faceCount() + 2);
   }
@@ -299,10 +300,11 @@ class TestPackedView : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return window_->file().loaded().part != nullptr; }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->view().backdrop());
-    QVERIFY(window_->commands().find("pipeline.runHere")->isEnabled());
+    QVERIFY(window_->findChild<QAction*>("pipeline.runHere")->isEnabled());
     QVERIFY2(partOf<MessageBar>(*window_).text().contains("grows.ffenv has 0.201 million triangles"),
              qPrintable(partOf<MessageBar>(*window_).text()));
-    QCOMPARE(window_->level()->triangles.size(), window_->environment()->triangles.size());
+    QCOMPARE(partOf<LevelComposer>(*window_).level()->triangles.size(),
+             window_->file().environment()->triangles.size());
     QVERIFY(window_->view().environmentGeometry()->whole);
     shoot(*window_, "packed-grown");
   }
@@ -314,7 +316,7 @@ class TestPackedView : public QObject {
     window_->view().cameraController().frame(pointOf(box.lower), pointOf(box.upper));
     window_->file().reread({});
     QVERIFY(window_->file().busy());
-    window_->commands().find("pipeline.runHere")->trigger();
+    window_->findChild<QAction*>("pipeline.runHere")->trigger();
     QVERIFY2(said().startsWith("A file is being read"), qPrintable(said()));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->file().loaded().part->place == place);
@@ -366,7 +368,7 @@ class TestPackedView : public QObject {
     openLarge();
     const QString remark = "Only the part in the frame is known. ";
     for (const char* tool : {"inspect.why", "tools.path", "tools.measure"}) {
-      QAction* action = window_->commands().find(tool);
+      QAction* action = window_->findChild<QAction*>(tool);
       QVERIFY2(action, tool);
       action->trigger();
       QVERIFY2(said().startsWith(remark) && said().size() > remark.size(), qPrintable(said()));
@@ -375,7 +377,7 @@ class TestPackedView : public QObject {
       QVERIFY2(!said().contains(remark), qPrintable(said()));
     }
     QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), "SlopeFilter 45"));
-    window_->commands().find("inspect.why")->trigger();
+    window_->findChild<QAction*>("inspect.why")->trigger();
     QVERIFY2(!said().isEmpty() && !said().contains(remark), qPrintable(said()));
   }
 
@@ -384,7 +386,7 @@ class TestPackedView : public QObject {
     QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), "SlopeFilter 45"));
     QVERIFY(!window_->view().backdrop());
     QVERIFY(window_->packed().statusText().isEmpty());
-    QVERIFY(!window_->commands().find("pipeline.runHere")->isEnabled());
+    QVERIFY(!window_->findChild<QAction*>("pipeline.runHere")->isEnabled());
   }
 
   void whatIsLargeOnTheScreenComesFirst() {

@@ -68,10 +68,10 @@ class TestUnits : public QObject {
     window_->view().cameraController().viewFromTop();
     // Their panels share the window with the view: all of them first.
     for (const char* command : {"tools.path", "inspect.why", "tools.measure"})
-      window_->commands().find(command)->trigger();
+      window_->findChild<QAction*>(command)->trigger();
     QTest::qWait(100);
     const QPoint at = window_->view().project({2, -1, 0})->toPoint();
-    const LevelUnits& units = window_->units().units();
+    const LevelUnits& units = partOf<UnitChoice>(*window_).units();
 
     useTool("tools.path", at);
     const Vec3 start = window_->findChild<PathFeature*>()->model().start().value();
@@ -149,7 +149,7 @@ class TestUnits : public QObject {
     QVERIFY2(figures().contains(QString::fromUtf8("8 × 8 × 0 m")), qPrintable(figures()));
     QVERIFY(summary().contains(QString::fromUtf8("area 64.00 m²")));
     QVERIFY(!window_->controller().busy());  // nothing is computed again
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QVERIFY(panel.yesButton()->isVisible());
     QVERIFY(summary().contains(QString::fromUtf8("area 64.00 units²")));
   }
@@ -161,45 +161,45 @@ class TestUnits : public QObject {
     field()->setFocus();
     field()->selectAll();
     QTest::keyClicks(field(), "2.5");
-    QCOMPARE(window_->document().filters()[1].step.values[0], 98.4251968504);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 98.4251968504);
     QVERIFY2(field()->help().contains("98.4251968504"), qPrintable(field()->help()));
-    QVERIFY(window_->document().undoStack()->undoText().contains("2.5"));
+    QVERIFY(partOf<Document>(*window_).undoStack()->undoText().contains("2.5"));
     // The value in feet is the same.
-    window_->units().choose(LengthUnit::Feet);
+    partOf<UnitChoice>(*window_).choose(LengthUnit::Feet);
     QCOMPARE(rowOfClearance()->unitOf(0), QString("ft"));
     QVERIFY(field()->text().startsWith("8.2020997"));
-    QCOMPARE(window_->document().filters()[1].step.values[0], 98.4251968504);
-    window_->commands().find("view.lengths.millimetres")->trigger();
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 98.4251968504);
+    window_->findChild<QAction*>("view.lengths.millimetres")->trigger();
     QCOMPARE(rowOfClearance()->unitOf(0), QString("mm"));
     QCOMPARE(field()->text(), QString("2500"));
     field()->setFocus();
     field()->selectAll();
     QTest::keyClicks(field(), "2540");
-    QCOMPARE(window_->document().filters()[1].step.values[0], 100.0);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 100.0);
     field()->selectAll();
     QTest::keyClicks(field(), "2500");
-    window_->units().choose(LengthUnit::FileUnits);
+    partOf<UnitChoice>(*window_).choose(LengthUnit::FileUnits);
     QCOMPARE(field()->text(), QString("98.4251968504"));
     // The choice is kept for the next window.
     EditorWindow other;
-    QCOMPARE(other.units().units().wanted, LengthUnit::FileUnits);
+    QCOMPARE(partOf<UnitChoice>(other).units().wanted, LengthUnit::FileUnits);
   }
 
   void anotherScaleKeepsTheMetres() {
     QVERIFY(open(floorObj(UpAxis::Z), UpAxis::Z, 1));
-    window_->document().setValue(window_->document().filters()[1].id, 0, 2.54, -1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 2.54, -1);
     ImportOptions import;
     import.up = UpAxis::Z;
     import.metresPerUnit = 0.0254;
     window_->openWith(writeFile(*folder_, "inches.obj", floorObj(UpAxis::Z)), std::nullopt, import);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->document().filters()[1].step.values[0], 100.0);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 100.0);
     QCOMPARE(field()->text(), QString("2.54"));
     // A change of a known scale converts lengths as well; after a change of a guess, only defaults follow.
-    ImportOptions centimetres = window_->document().state().import;
+    ImportOptions centimetres = partOf<Document>(*window_).state().import;
     centimetres.metresPerUnit = 0.01;
     emit partOf<ImportPanel>(*window_).optionsEdited(centimetres);
-    QCOMPARE(window_->document().filters()[1].step.values[0], 254.0);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 254.0);
   }
 
   void glTFIsInMetres() {
@@ -207,7 +207,7 @@ class TestUnits : public QObject {
     window_->openWith(QStringLiteral(FOOTFALL_SOURCE_DIR "/tests/data/transforms.gltf"), parsePipeline(kPipeline, "t"),
                       import);
     QVERIFY(waitUntilIdle(*window_));
-    QVERIFY(window_->environment() && !window_->environment()->scaleGuessed);
+    QVERIFY(window_->file().environment() && !window_->file().environment()->scaleGuessed);
     QCOMPARE(rowOfClearance()->unitOf(0), QString("m"));
     QVERIFY(!partOf<ImportPanel>(*window_).yesButton()->isVisible());
   }
@@ -215,7 +215,7 @@ class TestUnits : public QObject {
   void sessionsKeepUnitAndScale() {
     QVERIFY(open(floorObj(UpAxis::Z), UpAxis::Z, 0));
     QTest::mouseClick(partOf<ImportPanel>(*window_).yesButton(), Qt::LeftButton);
-    window_->units().useForSession(LengthUnit::Feet);
+    partOf<UnitChoice>(*window_).useForSession(LengthUnit::Feet);
     const QString path = folder_->filePath("level.footfall");
     window_->saveSession(path);
     QVERIFY(waitUntilIdle(*window_));
@@ -223,7 +223,7 @@ class TestUnits : public QObject {
     other.setRemembering(false);
     other.open(path);
     QVERIFY(waitUntilIdle(other));
-    QCOMPARE(other.units().units().unit(), LengthUnit::Feet);
+    QCOMPARE(partOf<UnitChoice>(other).units().unit(), LengthUnit::Feet);
     QVERIFY(QSettings().value("lengthUnit").isNull());
     // Sessions of older versions have none of it.
     QByteArray old = readFile(path);
@@ -233,8 +233,8 @@ class TestUnits : public QObject {
     const QString oldPath = writeFile(*folder_, "old.footfall", old);
     other.open(oldPath);
     QVERIFY(waitUntilIdle(other));
-    QCOMPARE(other.units().units().unit(), LengthUnit::FileUnits);
-    QCOMPARE(other.units().units().wanted, LengthUnit::Metres);
+    QCOMPARE(partOf<UnitChoice>(other).units().unit(), LengthUnit::FileUnits);
+    QCOMPARE(partOf<UnitChoice>(other).units().wanted, LengthUnit::Metres);
   }
 
   void enterAndEscapeGiveTheKeysBack() {
@@ -246,9 +246,9 @@ class TestUnits : public QObject {
       QVERIFY(waitUntilIdle(*window_));  // else Escape cancels the run
       QTest::keyClick(field(), key);
       QVERIFY(window_->view().hasFocus());
-      QCOMPARE(window_->document().filters()[1].step.values[0], 1.5);
+      QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 1.5);
     }
-    window_->commands().find("tools.path")->trigger();
+    window_->findChild<QAction*>("tools.path")->trigger();
     auto* place = window_->findChild<QLineEdit*>("pathStartX");
     place->setFocus();
     QTest::keyClick(place, Qt::Key_Return);
@@ -272,7 +272,7 @@ class TestUnits : public QObject {
     QVERIFY(field()->hasFocus());
     for (int x = 4; x <= 40; x += 4) QTest::mouseMove(name, at + QPoint(x, 0));
     QTest::mouseRelease(name, Qt::LeftButton, {}, at + QPoint(40, 0));
-    QCOMPARE(window_->document().filters()[1].step.values[0], 3.0);
+    QCOMPARE(partOf<Document>(*window_).filters()[1].step.values[0], 3.0);
     QVERIFY(partOf<FilterList>(*window_).selection().contains(rowOfClearance()->entryId()));
   }
 
@@ -284,8 +284,8 @@ class TestUnits : public QObject {
     QTest::keyClick(field(), Qt::Key_Return);
     QCOMPARE(field()->cursorPosition(), 0);
     QVERIFY(field()->help().contains("2.12345678901234"));
-    window_->document().undoStack()->undo();
-    window_->document().undoStack()->redo();
+    partOf<Document>(*window_).undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->redo();
     QCOMPARE(field()->text(), QString("2.12345678901234"));
     QCOMPARE(field()->cursorPosition(), 0);
   }
@@ -300,7 +300,7 @@ class TestUnits : public QObject {
     return waitUntilIdle(*window_) && window_->controller().finishedRun() != nullptr;
   }
   void useTool(const char* command, const QPoint& at) {
-    window_->commands().find(command)->trigger();
+    window_->findChild<QAction*>(command)->trigger();
     QTest::qWait(50);
     QTest::mouseMove(&window_->view(), at);
     QTest::mouseClick(&window_->view(), Qt::LeftButton, {}, at);

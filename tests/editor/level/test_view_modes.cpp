@@ -110,7 +110,7 @@ class TestViewModes : public QObject {
     QVERIFY(scale->isVisible());
     QCOMPARE(scale->accessibleName(), QString("Slope, limit 45"));
     // The limit follows the filter.
-    window_->document().setValue(window_->document().filters()[0].id, 0, 70, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 70, 0);
     QCOMPARE(scale->accessibleName(), QString("Slope, limit 70"));
   }
 
@@ -148,7 +148,7 @@ class TestViewModes : public QObject {
   void theModeFollowsNewResultsAndLevels() {
     open();
     show(ViewMode::SourceTriangles);
-    window_->document().setValue(window_->document().filters()[0].id, 0, 70, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 70, 0);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(settled());
     QVERIFY(!sameHue(colourAt({5.6, 0.5, 1.04}), removalStyle(FilterType::Slope)->paint.colour));  // walkable now
@@ -183,7 +183,7 @@ class TestViewModes : public QObject {
     window_->resize(size);
     open();
     window_->setCellsShown({true, true, CellColouring::Time});
-    window_->commands().find("view.cutPlane")->setChecked(true);
+    window_->findChild<QAction*>("view.cutPlane")->setChecked(true);
     for (const ViewMode mode : kViewModes) {
       show(mode);
       QTest::qWait(50);
@@ -228,13 +228,13 @@ class TestViewModes : public QObject {
     QVERIFY(!sameHue(colourAt({3, 2, 0}), walkablePaint().colour));
     QTest::mouseClick(bar.findChild<QToolButton*>("cutClose"), Qt::LeftButton);
     QVERIFY(!bar.isVisible());
-    QVERIFY(!window_->commands().find("view.cutPlane")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("view.cutPlane")->isChecked());
     QVERIFY(sameHue(colourAt({3, 2, 0}), walkablePaint().colour));
   }
 
  private:
   QAction* command(std::string_view mode) {
-    return window_->commands().find("view.mode." + QString::fromUtf8(mode.data(), qsizetype(mode.size())));
+    return window_->findChild<QAction*>("view.mode." + QString::fromUtf8(mode.data(), qsizetype(mode.size())));
   }
   void open() {
     QVERIFY(openZUp(*window_, writeFile(folder_, "table.obj", tableObj()), kPipeline));

@@ -99,8 +99,8 @@ class TestPathTool : public EditorSuite {
     QTest::mouseClick(mend, Qt::LeftButton);
     QVERIFY(waitForResult(PathStatus::Found));
     QVERIFY(!mend->isVisible());
-    QCOMPARE(window_->document().filters()[2].step.values[0], 0.51);
-    window_->document().undoStack()->undo();
+    QCOMPARE(partOf<Document>(*window_).filters()[2].step.values[0], 0.51);
+    partOf<Document>(*window_).undoStack()->undo();
     QVERIFY(waitForResult(PathStatus::NotConnected));
   }
 
@@ -181,7 +181,7 @@ class TestPathTool : public EditorSuite {
   }
 
   void bothPlacesCanBeTyped() {
-    window_->commands().find("panel.path")->trigger();
+    window_->findChild<QAction*>("panel.path")->trigger();
     type("pathStart", {"-2", "-2", "0"});
     QVERIFY(model().start());
     type("pathTarget", {"2", "-2", "0"});
@@ -215,7 +215,7 @@ class TestPathTool : public EditorSuite {
   }
 
   void fieldsAreReachedByTab() {
-    window_->commands().find("panel.path")->trigger();
+    window_->findChild<QAction*>("panel.path")->trigger();
     field("pathStartX")->setFocus();
     QStringList order;
     for (int i = 0; i < 9; ++i) {
@@ -233,13 +233,13 @@ class TestPathTool : public EditorSuite {
     click({-2, -2, 0});
     click({2, -2, 0});
     QVERIFY(waitForResult(PathStatus::Found));
-    DocumentState next = window_->document().state();
+    DocumentState next = partOf<Document>(*window_).state();
     std::erase_if(next.filters,
                   [](const FilterEntry& e) { return e.step.filter->type == FilterType::VerticalClearance; });
-    window_->document().edit(next, "remove the clearance");
+    partOf<Document>(*window_).edit(next, "remove the clearance");
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(model().result() && model().result()->bends.empty());  // nothing stands in the way
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(model().result() && model().result()->bends.size() == 1);
   }
@@ -254,7 +254,7 @@ class TestPathTool : public EditorSuite {
     QVERIFY(!model().start());
     QTest::keyClick(&window_->view(), Qt::Key_Escape);
     QCOMPARE(window_->view().tool(), nullptr);
-    QVERIFY(!window_->commands().find("tools.path")->isChecked());
+    QVERIFY(!window_->findChild<QAction*>("tools.path")->isChecked());
     click({-2, -2, 0});
     QVERIFY(!model().start());
   }
@@ -288,7 +288,7 @@ class TestPathTool : public EditorSuite {
   void emptyWindow() {
     EditorWindow empty;
     empty.setRemembering(false);
-    empty.commands().find("tools.path")->trigger();
+    empty.findChild<QAction*>("tools.path")->trigger();
     QVERIFY(empty.findChild<QLabel*>("pathText")->text().contains("Open an environment"));
   }
 
@@ -297,7 +297,7 @@ class TestPathTool : public EditorSuite {
   void startTool() {
     window_->view().cameraController().viewFromTop();
     QTest::keyClick(window_.get(), Qt::Key_P);
-    QVERIFY(window_->commands().find("tools.path")->isChecked());
+    QVERIFY(window_->findChild<QAction*>("tools.path")->isChecked());
     QVERIFY(window_->findChild<QDockWidget*>("panel.path")->isVisible());
     QTest::qWait(50);  // the panel takes its place from the view
   }

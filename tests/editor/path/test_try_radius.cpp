@@ -158,8 +158,8 @@ class TestTryRadius : public EditorSuite {
 
   // A body has its own radius: that of the filter does not count for it.
   void theFilterRadiusIsLeftOut() {
-    window_->document().addFilter(filterDescriptor(FilterType::Radius), 2);
-    window_->document().setValue(window_->document().filters().back().id, 0, 0.6, 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Radius), 2);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters().back().id, 0, 0.6, 1);
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(model().result() && !model().result()->reached());
     type("0.3");
@@ -207,7 +207,7 @@ class TestTryRadius : public EditorSuite {
   CameraPose pose() { return window_->view().cameraController().pose(); }
   void show() {
     window_->view().cameraController().viewFromTop();
-    window_->commands().find("panel.path")->trigger();
+    window_->findChild<QAction*>("panel.path")->trigger();
     QTest::qWait(50);
     model().setPlaces(kFirst, kSecond);
   }

@@ -194,10 +194,10 @@ class TestWalker : public EditorSuite {
     QTest::keyRelease(&view, Qt::Key_W);
     QVERIFY(tool.feet().y < 4);
     // A new result is walked on.
-    DocumentState next = window_->document().state();
+    DocumentState next = partOf<Document>(*window_).state();
     for (FilterEntry& entry : next.filters)
       if (entry.step.filter->type == FilterType::VerticalClearance) entry.step.values[0] = 1.5;
-    window_->document().edit(next, "lower the clearance");
+    partOf<Document>(*window_).edit(next, "lower the clearance");
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(tool.isReady());
     QVERIFY(tool.isWalking());
@@ -210,7 +210,7 @@ class TestWalker : public EditorSuite {
 
   void walkingFromThePlatformFalls() {
     LevelView& view = window_->view();
-    window_->commands().find("tools.walk")->trigger();
+    window_->findChild<QAction*>("tools.walk")->trigger();
     WalkTool& tool = feature_->walk().tool();
     tool.standAt({-6, 0, 2});  // before it is prepared
     QTRY_VERIFY(tool.isWalking());
@@ -239,9 +239,9 @@ class TestWalker : public EditorSuite {
   void thereMayBeNothingToWalkOn() {
     EditorWindow empty;
     empty.setRemembering(false);
-    empty.commands().find("tools.walk")->trigger();
+    empty.findChild<QAction*>("tools.walk")->trigger();
     QVERIFY(partOf<StatusLine>(empty).text().contains("nothing is walkable"));
-    QVERIFY(!empty.commands().find("tools.walkPath")->isEnabled());
+    QVERIFY(!empty.findChild<QAction*>("tools.walkPath")->isEnabled());
   }
 
  private:

@@ -70,7 +70,7 @@ bool failsAfter(EditorWindow& window, const std::function<void()>& change) {
 QStringList checkedPlaces(EditorWindow& window) {
   QStringList checked;
   for (const char* place : {"this_program", "processes", "hosts", "slurm"})
-    if (window.commands().find(QStringLiteral("pipeline.runOn.") + place)->isChecked()) checked << place;
+    if (window.findChild<QAction*>(QStringLiteral("pipeline.runOn.") + place)->isChecked()) checked << place;
   return checked;
 }
 
@@ -206,9 +206,9 @@ class TestRunPlaces : public QObject {
     std::shared_ptr<const Environment> before;
     int ofBefore = 0;
     const auto look = [&] { ofBefore += window.controller().busy() && window.controller().environment() == before; };
-    connect(&window.document(), &Document::filtersChanged, &window, look);
+    connect(&partOf<Document>(window), &Document::filtersChanged, &window, look);
     connect(&partOf<CellsFeature>(window).places(), &RunPlaces::changed, &window, look);
-    before = window.level();
+    before = partOf<LevelComposer>(window).level();
     QVERIFY(failsAfter(window, [&] {
       ImportOptions import;
       import.up = UpAxis::Z;
@@ -218,7 +218,7 @@ class TestRunPlaces : public QObject {
     before = nullptr;
     partOf<CellsFeature>(window).places().choose({});
     QVERIFY(waitUntilIdle(window) && window.controller().upToDate());
-    before = window.level();
+    before = partOf<LevelComposer>(window).level();
     QVERIFY(failsAfter(window, [&] { window.open(session); }));
     QVERIFY(partOf<CellsFeature>(window).places().chosen() == processes(2));
     QCOMPARE(runsStarted(folder), 3);
@@ -253,10 +253,10 @@ class TestRunPlaces : public QObject {
     QCOMPARE(box->currentText(), QString("This program"));
     partOf<CellsFeature>(window).places().choose(processes(3));
     QCOMPARE(box->currentText(), placeText(processes(3)));
-    QVERIFY(window.commands().find("pipeline.runOn.processes")->isChecked());
+    QVERIFY(window.findChild<QAction*>("pipeline.runOn.processes")->isChecked());
     emit box->activated(0);
     QVERIFY(partOf<CellsFeature>(window).places().chosen() == RunPlace());
-    QVERIFY(window.commands().find("pipeline.runOn.this_program")->isChecked());
+    QVERIFY(window.findChild<QAction*>("pipeline.runOn.this_program")->isChecked());
   }
 
   // Whatever becomes of the question.
@@ -266,7 +266,7 @@ class TestRunPlaces : public QObject {
     EditorWindow window;
     QVERIFY(showWindow(window));
     const auto answer = [&](const char* place, bool accepts) {
-      window.commands().find(QStringLiteral("pipeline.runOn.") + place)->trigger();
+      window.findChild<QAction*>(QStringLiteral("pipeline.runOn.") + place)->trigger();
       const QStringList asked = checkedPlaces(window);
       auto* dialog = window.findChild<RunPlaceDialog*>();
       if (dialog == nullptr) return QStringList{"no dialog"};
@@ -280,7 +280,7 @@ class TestRunPlaces : public QObject {
     QCOMPARE(answer("processes", true), (QStringList{"this_program", "processes"}));
     QCOMPARE(answer("processes", true), (QStringList{"processes", "processes"}));
     QCOMPARE(answer("slurm", false), (QStringList{"processes", "processes"}));
-    window.commands().find("pipeline.runOn.this_program")->trigger();
+    window.findChild<QAction*>("pipeline.runOn.this_program")->trigger();
     QCOMPARE(checkedPlaces(window), QStringList{"this_program"});
     QVERIFY(partOf<CellsFeature>(window).places().chosen() == RunPlace());
   }
@@ -295,7 +295,7 @@ class TestRunPlaces : public QObject {
     QVERIFY(showWindow(window));
     QVERIFY(openZUp(window, writeFile(folder, "waves.obj", wavesObj(30)), kPipeline));
     const QByteArray all = exported(window, folder);
-    for (const char* shown : {"view.cells", "view.load"}) window.commands().find(shown)->trigger();
+    for (const char* shown : {"view.cells", "view.load"}) window.findChild<QAction*>(shown)->trigger();
     QSignalSpy finished(&window.controller(), &RunController::finished);
     partOf<CellsFeature>(window).places().choose(processes(2));
     QVERIFY(QTest::qWaitFor([&] { return finished.count() > 0 && window.idle(); }, 60000));
@@ -314,7 +314,7 @@ class TestRunPlaces : public QObject {
 
     // The filters behind the block run here; the block stays.
     QSignalSpy again(&window.controller(), &RunController::finished);
-    window.document().removeFilter(window.document().filters().back().id);
+    partOf<Document>(window).removeFilter(partOf<Document>(window).filters().back().id);
     QVERIFY(QTest::qWaitFor([&] { return again.count() > 0 && window.idle(); }, 60000));
     QCOMPARE(window.controller().finishedRun()->ranks.threads, std::vector<int>());
     QCOMPARE(partOf<CellsFeature>(window).model().shownBlock()->ranks.threads, threads);

@@ -52,7 +52,7 @@ class TestRunThreads : public QObject {
     QCOMPARE(window.controller().finishedRun()->result.threads, processorCount());
     const QByteArray all = exported(window, folder);
     QSignalSpy finished(&window.controller(), &RunController::finished);
-    window.commands().find("pipeline.threads.1")->trigger();
+    window.findChild<QAction*>("pipeline.threads.1")->trigger();
     QTRY_VERIFY(finished.count() > 0 && window.idle());
     QCOMPARE(window.controller().finishedRun()->result.threads, 1);
     QCOMPARE(partOf<CellsFeature>(window).model().threads(), 1);
@@ -67,7 +67,7 @@ class TestRunThreads : public QObject {
     QVERIFY(box);
     emit box->activated(0);
     QCOMPARE(partOf<CellsFeature>(window).threads().chosen(), 1);
-    QVERIFY(window.commands().find("pipeline.threads.1")->isChecked());
+    QVERIFY(window.findChild<QAction*>("pipeline.threads.1")->isChecked());
   }
 
  private:

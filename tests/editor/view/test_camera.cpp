@@ -246,7 +246,7 @@ class TestCamera : public QObject {
     QTest::keyClick(&view, Qt::Key_F, Qt::ShiftModifier);
     auto* tools = window_->findChild<CameraTools*>();
     QCOMPARE(view.tool(), static_cast<ViewTool*>(&tools->fly()));
-    QVERIFY(window_->commands().find("view.fly")->isChecked());
+    QVERIFY(window_->findChild<QAction*>("view.fly")->isChecked());
     const CameraPose start = camera().pose();
     const Vec3 ahead = directionOf(camera());
     QTest::keyPress(&view, Qt::Key_W);
@@ -344,10 +344,10 @@ class TestCamera : public QObject {
     QVERIFY(QTest::qWaitFor([&] { return camera().orthographic(); }));
     QVERIFY(std::abs(lookedAlong().z) < 1e-6);
     // The camera jumps when motion is reduced.
-    window_->commands().find("view.animate")->setChecked(false);
+    window_->findChild<QAction*>("view.animate")->setChecked(false);
     camera().viewOblique();
     QVERIFY(!camera().orthographic());
-    window_->commands().find("view.animate")->setChecked(true);
+    window_->findChild<QAction*>("view.animate")->setChecked(true);
   }
 
  private:

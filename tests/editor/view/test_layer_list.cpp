@@ -43,7 +43,7 @@ class TestLayerList : public QObject {
     window_->resize(1280, 800);
     QVERIFY(showWindow(*window_));
     QVERIFY(openZUp(*window_, writeFile(folder_, "storeys.obj", storeysObj()), kPipeline));
-    window_->commands().find("panel.layers")->trigger();
+    window_->findChild<QAction*>("panel.layers")->trigger();
     panel_ = window_->findChild<LayerPanel*>();
     QVERIFY(panel_);
     QVERIFY(QTest::qWaitFor([&] { return panel_->isVisible(); }));
@@ -128,8 +128,8 @@ class TestLayerList : public QObject {
 
   void hiddenLayersStayHiddenOverRuns() {
     click(deck_, 0);
-    const auto& filters = window_->document().filters();
-    window_->document().setValue(filters[1].id, 0, 1.5, 0);
+    const auto& filters = partOf<Document>(*window_).filters();
+    partOf<Document>(*window_).setValue(filters[1].id, 0, 1.5, 0);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(panel_->hidden(), (std::set<std::uint32_t>{deck_}));
     QVERIFY(shareOf(picture(), layerPaint(deck_).colour) < 0.001);
@@ -138,7 +138,7 @@ class TestLayerList : public QObject {
 
   void aResultWithoutLayersIsOneRow() {
     click(deck_, 0);
-    window_->document().setEnabled(window_->document().filters()[2].id, false);
+    partOf<Document>(*window_).setEnabled(partOf<Document>(*window_).filters()[2].id, false);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(panel_->layers(), 0U);
     QCOMPARE(panel_->list().topLevelItemCount(), 1);

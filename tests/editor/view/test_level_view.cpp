@@ -153,9 +153,9 @@ class TestLevelView : public QObject {
     const ViewContent result = window.view().content();
     const QImage finished = window.view().grabFramebuffer();
     NavigationMesh ramp;
-    ramp.vertices = window.environment()->vertices;
-    ramp.triangles = {window.environment()->triangles[4], window.environment()->triangles[5]};
-    const Vec3 centre = makeEnvironmentGeometry(*window.environment())->centre;
+    ramp.vertices = window.file().environment()->vertices;
+    ramp.triangles = {window.file().environment()->triangles[4], window.file().environment()->triangles[5]};
+    const Vec3 centre = makeEnvironmentGeometry(*window.file().environment())->centre;
     ViewContent edited = result;
     edited.changes = changedTriangles(ramp, {}, removalStyle(FilterType::Slope)->paint, centre);
     window.view().setContent(edited);

@@ -100,7 +100,7 @@ class TestLookInside : public QObject {
     ImportOptions import;
     import.up = UpAxis::Z;
     window_->openWith(house_, parsePipelineFragment("GridStrategy 2 2\nSlopeFilter 45\n", "test"), import);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }, kWaitMs));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }, kWaitMs));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(!window_->controller().finishedRun());
     QVERIFY(QRectF(view().rect()).contains(view().project({0, 0, 1.5}).value()));
@@ -114,7 +114,7 @@ class TestLookInside : public QObject {
     QCursor::setPos(window_->mapToGlobal(QPoint(1, 1)));  // what lies under the mouse in the view would stay
     const QPointF before = onScreen();
     const int width = view().width();
-    window_->commands().find("panel.layers")->trigger();
+    window_->findChild<QAction*>("panel.layers")->trigger();
     QVERIFY(QTest::qWaitFor([&] { return view().width() < width; }, kWaitMs));
     QTest::qWait(50);
     QVERIFY2((onScreen() - before).manhattanLength() < 1.5, qPrintable(QString::number((onScreen() - before).x())));

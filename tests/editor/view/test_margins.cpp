@@ -61,14 +61,14 @@ class TestMargins : public QObject {
     QCOMPARE(seen, (QStringList{"Too near a border?", "Too near a wall+Too near a ledge"}));
     // A cached result has them at once. A result that was left before they were computed gets them when it is shown
     // again.
-    QUndoStack* const edits = window_->document().undoStack();
+    QUndoStack* const edits = partOf<Document>(*window_).undoStack();
     bool left = false;
     connect(&window_->controller(), &RunController::finished, this, [&] {
       if (std::exchange(left, true)) return;
       QVERIFY(window_->controller().seeksMarginKinds());
       edits->undo();
     });
-    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[2].id, 0, 1.5, 1);
     QTRY_VERIFY_WITH_TIMEOUT(left, 20000);
     QVERIFY(window_->controller().upToDate() && !window_->controller().seeksMarginKinds());
     QCOMPARE(seen.last(), QString("Too near a wall+Too near a ledge"));
@@ -82,7 +82,7 @@ class TestMargins : public QObject {
   void cancellingLeavesThemAsTheyAre() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     connect(&window_->controller(), &RunController::finished, this, [&] { window_->controller().cancel(); });
-    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[2].id, 0, 1.5, 1);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(!window_->controller().seeksMarginKinds() && window_->controller().upToDate());
     QTest::qWait(200);
@@ -91,16 +91,16 @@ class TestMargins : public QObject {
 
   void afterAFailedRunTheyAreThoseOfTheLastResult() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
-    const int radius = window_->document().filters()[2].id;
+    const int radius = partOf<Document>(*window_).filters()[2].id;
     // A result whose kinds have not been found yet, and a run that fails: a radius far below what doubles distinguish.
     bool left = false;
     connect(&window_->controller(), &RunController::finished, this, [&] {
       if (std::exchange(left, true)) return;
       QVERIFY(window_->controller().seeksMarginKinds());
-      window_->document().setValue(radius, 0, 1e-30, 2);
+      partOf<Document>(*window_).setValue(radius, 0, 1e-30, 2);
     });
     const QSignalSpy failed(&window_->controller(), &RunController::failed);
-    window_->document().setValue(radius, 0, 1.5, 1);
+    partOf<Document>(*window_).setValue(radius, 0, 1.5, 1);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, 20000);
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(!window_->controller().upToDate());
@@ -112,13 +112,13 @@ class TestMargins : public QObject {
     QVERIFY(hasPaint({2.7, 0, 0}, PlaceVerdict::TooNearLedge));
     QVERIFY(hasPaint({0, 0, 0}, walkablePaint().colour));
     // Another run fails after they are known.
-    window_->document().setValue(radius, 0, 1e-31, 3);
+    partOf<Document>(*window_).setValue(radius, 0, 1e-31, 3);
     QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 2, 20000);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(reasons(), both);
     QVERIFY(hasPaint({-2.7, 0, 0}, PlaceVerdict::TooNearWall));
     // The first result's are not taken for those of a later one.
-    window_->document().setValue(radius, 0, 0.5, 4);
+    partOf<Document>(*window_).setValue(radius, 0, 0.5, 4);
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
     QCOMPARE(reasons(), both);
@@ -129,7 +129,7 @@ class TestMargins : public QObject {
   void aDragHasTheKindsAtItsEnd() {
     open(QByteArray(kClearance) + "RadiusFilter 1\n");
     window_->controller().setDragging(true);
-    window_->document().setValue(window_->document().filters()[2].id, 0, 1.5, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[2].id, 0, 1.5, 1);
     QVERIFY(waitUntilIdle(*window_));
     QTest::qWait(300);
     QVERIFY(window_->controller().seeksMarginKinds());
@@ -149,7 +149,7 @@ class TestMargins : public QObject {
     QVERIFY(hasPaint({3.5, 0, 0}, PlaceVerdict::TooNearLedge));
     QVERIFY(hasPaint({-3.5, 0, 0}, undecidedPaint().colour));
     // Other content keeps them.
-    window_->document().setValue(window_->document().filters()[2].id, 0, 1.25, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[2].id, 0, 1.25, 0);
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->controller().seeksMarginKinds(), 20000);
     QVERIFY(hasPaint({-2.9, 0, 0}, undecidedPaint().colour));
@@ -193,7 +193,7 @@ class TestMargins : public QObject {
     open(QByteArray(kClearance) + "RadiusFilter 1\nAreaFilter 1\n");
     const auto run = window_->controller().finishedRun();
     QCOMPARE(run->result.steps.size(), std::size_t{4});
-    for (const FilterEntry& entry : window_->document().filters())
+    for (const FilterEntry& entry : partOf<Document>(*window_).filters())
       QVERIFY(window_->controller().status(entry.id).state == StepState::Done);
     QVERIFY(run->result.summary.area < 36.001);
   }

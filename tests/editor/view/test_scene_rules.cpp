@@ -241,16 +241,16 @@ class TestSceneRules : public QObject {
     QVERIFY(sameHue(colourAt(floor), walkablePaint().colour));
     // The meadow outside is no cover, and from the side a house is a house.
     QVERIFY(std::abs(view().pick(at({8, 8, 0}))->point.z) < 1e-3);
-    window_->commands().find("view.inside")->setChecked(false);
+    window_->findChild<QAction*>("view.inside")->setChecked(false);
     QVERIFY(view().pick(at(floor))->point.z > 0.5);
-    window_->commands().find("view.inside")->setChecked(true);
+    window_->findChild<QAction*>("view.inside")->setChecked(true);
     view().cameraController().viewFrom(ViewSide::Front);
     QVERIFY(std::abs(view().pick(at({0, -2, 1.5}))->point.y + 2) < 1e-3);
   }
 
   void sessionsKeepTheSwitch() {
     open();
-    window_->commands().find("view.inside")->setChecked(false);
+    window_->findChild<QAction*>("view.inside")->setChecked(false);
     const QString session = folder_.filePath("closed.footfall");
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(session);
@@ -414,7 +414,7 @@ class TestSceneRules : public QObject {
     const NavigationMesh& mesh = *window_->controller().finishedRun()->result.mesh;
     const std::uint32_t upper = layerAt(3);
     const Vec3 centre = view().environmentGeometry()->centre;
-    const Environment& level = *window_->level();
+    const Environment& level = *partOf<LevelComposer>(*window_).level();
     other.setField(makeSlopeField(level, centre, [] {}), {0, 90, 45.0, true});
     other.setSources(makeMeshGeometry(mesh, centre));
     CellBounds left, right;

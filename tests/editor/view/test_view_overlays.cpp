@@ -150,7 +150,7 @@ class TestViewOverlays : public QObject {
       const QPoint before = onScreen(pivot);
       const double size = unit();
       const QSize was = view().size();
-      QAction* panel = window_->commands().find(id);
+      QAction* panel = window_->findChild<QAction*>(id);
       QVERIFY(panel);
       panel->trigger();
       QVERIFY(QTest::qWaitFor([&] { return view().size() != was; }));
@@ -275,7 +275,7 @@ class TestViewOverlays : public QObject {
   }
 
   void theSelectionIsFramed() {
-    QAction* frame = window_->commands().find("view.frame");
+    QAction* frame = window_->findChild<QAction*>("view.frame");
     auto* obstacles = window_->findChild<ObstacleFeatures*>();
     PlacedObstacle box;
     box.name = "crate";

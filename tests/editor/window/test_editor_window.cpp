@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char* kPipeline = "DegeneracyFilter\nSlopeFilter 45\nVerticalClearanceFilter 2\nAreaFilter 0.5\n";
 
-double slopeOf(EditorWindow& window) { return window.document().filters()[1].step.values[0]; }
+double slopeOf(EditorWindow& window) { return partOf<Document>(window).filters()[1].step.values[0]; }
 
 }  // namespace
 
@@ -44,9 +44,9 @@ class TestEditorWindow : public QObject {
   void opensThroughTheDialog() {
     QTest::keyClick(window_.get(), Qt::Key_O, Qt::ControlModifier);
     answerFileDialog(table_);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->environment()->triangles.size(), std::size_t{6});
+    QCOMPARE(window_->file().environment()->triangles.size(), std::size_t{6});
     QCOMPARE(filterNames(*window_).size(), 8);  // the default pipeline
     QCOMPARE(QSettings().value("recentFiles").toStringList().value(0), table_);
   }
@@ -59,13 +59,13 @@ class TestEditorWindow : public QObject {
     QVERIFY(enter.isAccepted());
     QDropEvent drop(QPointF(50, 50), Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(window_.get(), &drop);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
   }
 
   void rowsShowStatesTimesAndCounts() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     for (FilterRow* row : partOf<FilterList>(*window_).rows()) QCOMPARE(row->stateText(), QString("done"));
-    const StepStatus slope = window_->controller().status(window_->document().filters()[1].id);
+    const StepStatus slope = window_->controller().status(partOf<Document>(*window_).filters()[1].id);
     QVERIFY(slope.wallMs.has_value());
     QCOMPARE(*slope.trianglesIn, std::uint64_t{6});
     QCOMPARE(*slope.trianglesOut, std::uint64_t{4});  // not the ramp
@@ -138,12 +138,12 @@ class TestEditorWindow : public QObject {
     const double before = window_->controller().finishedRun()->result.summary.area;
     QCheckBox* box = partOf<FilterList>(*window_).rows()[2]->enabledBox();
     QTest::mouseClick(box, Qt::LeftButton, Qt::NoModifier, QPoint(8, box->height() / 2));
-    QVERIFY(!window_->document().filters()[2].step.enabled);
+    QVERIFY(!partOf<Document>(*window_).filters()[2].step.enabled);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(partOf<FilterList>(*window_).rows()[2]->stateText(), QString("off"));
     QVERIFY(window_->controller().finishedRun()->result.summary.area > before + 3.9);  // area under the table: 4
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-    QVERIFY(window_->document().filters()[2].step.enabled);
+    QVERIFY(partOf<Document>(*window_).filters()[2].step.enabled);
     QVERIFY(waitUntilIdle(*window_));
     QCOMPARE(window_->controller().finishedRun()->result.summary.area, before);
   }
@@ -183,7 +183,7 @@ class TestEditorWindow : public QObject {
     const QSignalSpy cancelled(&window_->controller(), &RunController::cancelled);
     connect(&window_->controller(), &RunController::started, window_.get(),
             [&] { window_->findChild<QPushButton*>("cancel")->click(); });  // it appears when a run takes a while
-    window_->document().setValue(window_->document().filters()[1].id, 0, 30, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 30, 0);
     QTRY_COMPARE(cancelled.count(), 1);
     QVERIFY(!window_->controller().busy());
     QCOMPARE(window_->controller().finishedRun(), before);
@@ -194,7 +194,7 @@ class TestEditorWindow : public QObject {
 
   void failingStepsAreToldOnTheirRow() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    window_->document().addFilter(filterDescriptor(FilterType::Collapse), 1);
+    partOf<Document>(*window_).addFilter(filterDescriptor(FilterType::Collapse), 1);
     QVERIFY(waitUntilIdle(*window_));
     FilterRow* row = partOf<FilterList>(*window_).rows().back();
     QCOMPARE(row->stateText(), QString("failed"));
@@ -207,7 +207,7 @@ class TestEditorWindow : public QObject {
 
   void badFilesKeepWhatWasThere() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
-    const auto before = window_->environment();
+    const auto before = window_->file().environment();
     const QString missing = folder_->filePath("missing.obj");
     for (const QString& path :
          {missing, writeFile(*folder_, "empty.obj", ""), writeFile(*folder_, "bad.obj", "f 1 2 9\n"),
@@ -218,7 +218,7 @@ class TestEditorWindow : public QObject {
       QVERIFY(partOf<MessageBar>(*window_).isVisible());
       QVERIFY(partOf<MessageBar>(*window_).text().contains(path));
       QVERIFY(!partOf<MessageBar>(*window_).text().contains('\n'));
-      QCOMPARE(window_->environment(), before);
+      QCOMPARE(window_->file().environment(), before);
       QVERIFY(window_->controller().upToDate());
       QVERIFY(!window_->view().content().walkable.empty());
     }
@@ -254,24 +254,24 @@ class TestEditorWindow : public QObject {
   void importOptionsCanBeEditedAndUndone() {
     QVERIFY(openZUp(*window_, table_, kPipeline));
     QTest::mouseClick(partOf<ImportPanel>(*window_).bothSidesBox(), Qt::LeftButton, Qt::NoModifier, QPoint(8, 8));
-    QTRY_VERIFY(window_->environment()->bothSides);
+    QTRY_VERIFY(window_->file().environment()->bothSides);
     QTest::keyClick(window_.get(), Qt::Key_Z, Qt::ControlModifier);
-    QTRY_VERIFY(!window_->environment()->bothSides);
-    QCOMPARE(window_->environment()->up, UpAxis::Z);
+    QTRY_VERIFY(!window_->file().environment()->bothSides);
+    QCOMPARE(window_->file().environment()->up, UpAxis::Z);
   }
 
   void scaleMovesDefaultsAlong() {
     window_->openWith(table_, std::nullopt, {});
-    QVERIFY(waitUntilIdle(*window_) && window_->environment());
+    QVERIFY(waitUntilIdle(*window_) && window_->file().environment());
     NumberField* scale = partOf<ImportPanel>(*window_).scaleField();
     scale->setFocus();
     QTest::keyClick(scale, Qt::Key_A, Qt::ControlModifier);
     QTest::keyClicks(scale, "0.05");
-    QCOMPARE(window_->environment()->metresPerUnit, 0.05);
-    QCOMPARE(window_->document().filters()[3].step.values[0], 40.0);
+    QCOMPARE(window_->file().environment()->metresPerUnit, 0.05);
+    QCOMPARE(partOf<Document>(*window_).filters()[3].step.values[0], 40.0);
     QTest::keyClick(scale, Qt::Key_Z, Qt::ControlModifier);
-    QCOMPARE(window_->document().filters()[3].step.values[0], 2.0);
-    QCOMPARE(window_->environment()->metresPerUnit, 1.0);
+    QCOMPARE(partOf<Document>(*window_).filters()[3].step.values[0], 2.0);
+    QCOMPARE(window_->file().environment()->metresPerUnit, 1.0);
     QCOMPARE(scale->text(), QString("1"));
   }
 
@@ -291,10 +291,10 @@ class TestEditorWindow : public QObject {
     other.resize(1100, 800);
     QVERIFY(showWindow(other));
     other.open(path);
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(other));
-    QCOMPARE(other.document().pipeline(), window_->document().pipeline());
-    QVERIFY(sameImport(other.document().state().import, window_->document().state().import));
+    QCOMPARE(partOf<Document>(other).pipeline(), partOf<Document>(*window_).pipeline());
+    QVERIFY(sameImport(partOf<Document>(other).state().import, partOf<Document>(*window_).state().import));
     const CameraPose back = other.view().cameraController().pose();
     QVERIFY(back.orthographic);
     QVERIFY(std::abs(back.position.x - pose.position.x) < 1e-9);
@@ -309,7 +309,7 @@ class TestEditorWindow : public QObject {
     EditorWindow other;
     other.show();
     other.continueLastSession();
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
     QCOMPARE(filterNames(other).size(), 4);
   }
 
@@ -321,7 +321,7 @@ class TestEditorWindow : public QObject {
     QTimer beat;
     connect(&beat, &QTimer::timeout, [&] { longest = std::max(longest, sinceLast.restart()); });
     beat.start(5);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }, 20000));
     QVERIFY(waitUntilIdle(*window_));
     qInfo("longest pause of the window: %lld ms", static_cast<long long>(longest));
     QVERIFY2(longest < 1000, "the window froze");

@@ -63,12 +63,12 @@ class TestExportDialog : public QObject {
   }
 
   void againAndAfterEachRun() {
-    QAction *again = window_->commands().find("file.exportAgain"),
-            *live = window_->commands().find("file.exportAfterRuns");
+    QAction *again = window_->findChild<QAction*>("file.exportAgain"),
+            *live = window_->findChild<QAction*>("file.exportAfterRuns");
     QVERIFY(!again->isEnabled() && !live->isEnabled());
     const QString path = folder_->filePath("again.obj");
     const auto run = [&](const char* pipeline) {
-      window_->document().replacePipeline(parsePipeline(pipeline, "test"), "filters");
+      partOf<Document>(*window_).replacePipeline(parsePipeline(pipeline, "test"), "filters");
       return waitUntilIdle(*window_);
     };
     openDialog();
@@ -103,16 +103,16 @@ class TestExportDialog : public QObject {
     QVERIFY(!accept("again.wkt").isEmpty());
     const QString second = folder_->filePath("again-1.wkt");
     writeFile(*folder_, "again-1.wkt", "mine");
-    window_->document().replacePipeline(
+    partOf<Document>(*window_).replacePipeline(
         parsePipeline("SlopeFilter 45\nVerticalClearanceFilter 0.5\nLayerSubdivisionFilter\n", "test"), "filters");
     QVERIFY(waitUntilIdle(*window_));
-    window_->commands().find("file.exportAgain")->trigger();
+    window_->findChild<QAction*>("file.exportAgain")->trigger();
     QTRY_VERIFY2(partOf<MessageBar>(*window_).text().contains("again-1.wkt: already exists"),
                  qPrintable(partOf<MessageBar>(*window_).text()));
     QCOMPARE(readFile(second), QByteArray("mine"));
     QVERIFY(!QFile::exists(folder_->filePath("again-0.wkt")));
     QVERIFY(QFile::remove(second));
-    window_->commands().find("file.exportAgain")->trigger();
+    window_->findChild<QAction*>("file.exportAgain")->trigger();
     QTRY_VERIFY(QFile::exists(second));
     QVERIFY(readFile(second).startsWith("POLYGON"));
   }
@@ -203,7 +203,7 @@ class TestExportDialog : public QObject {
     QVERIFY(accept("level4.tres").contains("format=3"));
     // Again and after each run keep to it.
     QVERIFY(QFile::remove(folder_->filePath("level4.tres")));
-    window_->commands().find("file.exportAgain")->trigger();
+    window_->findChild<QAction*>("file.exportAgain")->trigger();
     QTRY_VERIFY(readFile(folder_->filePath("level4.tres")).contains("format=3"));
   }
 
@@ -342,9 +342,9 @@ class TestExportDialog : public QObject {
   }
 
   void waitsForTheRun() {
-    DocumentState next = window_->document().state();
+    DocumentState next = partOf<Document>(*window_).state();
     next.filters.front().step.values[0] = 80;  // the ramp is walkable now
-    window_->document().edit(next, "change the slope");
+    partOf<Document>(*window_).edit(next, "change the slope");
     const QString target = folder_->filePath("late.obj");
     window_->exportResult(target);
     QVERIFY(QTest::qWaitFor([&] { return QFile::exists(target) && window_->idle(); }, 20000));

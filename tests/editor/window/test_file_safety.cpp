@@ -232,10 +232,10 @@ class TestFileSafety : public QObject {
   }
 
   void aPipelineThatCanBeReadEndsTheErrorOfOneThatCannot() {
-    const Pipeline before = window_->document().pipeline();
+    const Pipeline before = partOf<Document>(*window_).pipeline();
     window_->openPipeline(writeFile(*folder_, "bad.pipeline", "SlopeFilter\n"));
     QVERIFY(partOf<MessageBar>(*window_).isVisible());
-    QCOMPARE(window_->document().pipeline(), before);
+    QCOMPARE(partOf<Document>(*window_).pipeline(), before);
     window_->openPipeline(writeFile(*folder_, "good.pipeline", "SlopeFilter 30\n"));
     QVERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
@@ -282,16 +282,16 @@ class TestFileSafety : public QObject {
   // --- Errors name rows as the list does
 
   void anErrorNamesTheRow() {
-    DocumentState next = window_->document().state();
+    DocumentState next = partOf<Document>(*window_).state();
     next.filters.push_back(next.filters.front());
-    next.filters.back().id = window_->document().newFilterId();
+    next.filters.back().id = partOf<Document>(*window_).newFilterId();
     next.filters.back().step = defaultStep(filterDescriptor(FilterType::GridStrategy), 1);
-    window_->document().edit(next, "a strategy without an end");
+    partOf<Document>(*window_).edit(next, "a strategy without an end");
     QVERIFY(QTest::qWaitFor([&] { return partOf<MessageBar>(*window_).isVisible(); }));
     QVERIFY2(partOf<MessageBar>(*window_).text().startsWith("step 3 (Grid strategy): "),
              qPrintable(partOf<MessageBar>(*window_).text()));
     // Gone with the cause.
-    window_->document().undoStack()->undo();
+    partOf<Document>(*window_).undoStack()->undo();
     QVERIFY(waitUntilIdle(*window_));
     QTRY_VERIFY(!partOf<MessageBar>(*window_).isVisible());
   }
@@ -311,17 +311,17 @@ class TestFileSafety : public QObject {
   void anExportThatWaitsIsNotOfTheNextEnvironment() {
     const QString target = folder_->filePath("late.obj");
     QVERIFY(openZUp(*window_, writeFile(*folder_, "waves.obj", wavesObj(90)), "SlopeFilter 45\n"));
-    const auto before = window_->environment();
-    DocumentState next = window_->document().state();
+    const auto before = window_->file().environment();
+    DocumentState next = partOf<Document>(*window_).state();
     for (const char* name : {"VerticalClearanceFilter", "LayerSubdivisionFilter"}) {  // work that takes a while
-      next.filters.push_back({window_->document().newFilterId(), defaultStep(*findFilter(name), 1)});
+      next.filters.push_back({partOf<Document>(*window_).newFilterId(), defaultStep(*findFilter(name), 1)});
     }
-    window_->document().edit(next, "more work");
+    partOf<Document>(*window_).edit(next, "more work");
     window_->exportResult(target);
     ImportOptions import;
     import.up = UpAxis::Z;
     window_->openWith(writeFile(*folder_, "floor.obj", floorObj()), std::nullopt, import);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != before; }, 20000));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != before; }, 20000));
     const QString told = partOf<MessageBar>(*window_).text();
     QVERIFY(waitUntilIdle(*window_));
     // A run that was faster than the file is of the environment that it began with.
@@ -372,7 +372,7 @@ class TestFileSafety : public QObject {
     const QString target = folder_->filePath("late.obj");
     edit(80);
     window_->saveSession(folder_->filePath("work.footfall"));  // nothing is unsaved
-    QTRY_VERIFY(!window_->hasUnsavedChanges() && window_->idle());
+    QTRY_VERIFY(!partOf<SessionFiles>(*window_).hasUnsavedChanges() && window_->idle());
     // Another number of threads runs anew, and its findings arrive by the event loop: not before close().
     window_->controller().setThreads(3);
     window_->exportResult(target);
@@ -430,8 +430,10 @@ class TestFileSafety : public QObject {
   }
 
  private:
-  void edit(double slope) { window_->document().setValue(window_->document().filters()[0].id, 0, slope, -1); }
-  void choose(const char* command) { window_->commands().find(QLatin1String(command))->trigger(); }
+  void edit(double slope) {
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, slope, -1);
+  }
+  void choose(const char* command) { window_->findChild<QAction*>(QLatin1String(command))->trigger(); }
   QString status() { return partOf<StatusLine>(*window_).text(); }
   ExportDialog* exportDialog() { return window_->findChild<ExportDialog*>(); }
   QLineEdit* nameField() { return exportDialog()->findChild<QLineEdit*>("fileNameEdit"); }

@@ -38,7 +38,7 @@ class TestFloorPlanDialog : public QObject {
     folder_.reset();
   }
 
-  void nothingToDrawYet() { QVERIFY(!window_->commands().find("file.plan")->isEnabled()); }
+  void nothingToDrawYet() { QVERIFY(!window_->findChild<QAction*>("file.plan")->isEnabled()); }
 
   void pdfOfTheStoreys() {
     open();
@@ -101,7 +101,7 @@ class TestFloorPlanDialog : public QObject {
     QVERIFY(readFile(folder_->filePath("plan-1.svg")).startsWith("<?xml"));
     // Again: its own pages may go, but not what came since.
     QVERIFY(QFile::remove(folder_->filePath("plan-0.svg")));
-    window_->commands().find("file.exportAgain")->trigger();
+    window_->findChild<QAction*>("file.exportAgain")->trigger();
     QTRY_VERIFY(QFile::exists(folder_->filePath("plan-0.svg")));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(partOf<MessageBar>(*window_).text().isEmpty());
@@ -124,7 +124,7 @@ class TestFloorPlanDialog : public QObject {
   QLineEdit* name() { return dialog()->findChild<QLineEdit*>("fileNameEdit"); }
 
   ExportDialog* showDialog(const char* target = nullptr) {
-    window_->commands().find("file.plan")->trigger();
+    window_->findChild<QAction*>("file.plan")->trigger();
     if (!QTest::qWaitFor([&] { return dialog() != nullptr; })) qFatal("no dialog");
     if (target) {
       auto* box = dialog()->findChild<QComboBox*>("exportTarget");

@@ -54,7 +54,7 @@ class TestLostSessions : public QObject {
 
   void theUndoHistorySurvivesRestoring() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\nAreaFilter 2\n"));
-    Document& document = window_->document();
+    Document& document = partOf<Document>(*window_);
     document.setValue(document.filters()[0].id, 0, 50, 1);
     document.addFilter(filterDescriptor(FilterType::Degeneracy), 1);
     document.setEnabled(document.filters()[1].id, false);
@@ -65,8 +65,9 @@ class TestLostSessions : public QObject {
     window_ = makeWindow();
     window_->offerRestoring();
     QTest::mouseClick(button("Restore"), Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr && waitUntilIdle(*window_); }, kWaitMs));
-    Document& restored = window_->document();
+    QVERIFY(
+        QTest::qWaitFor([&] { return window_->file().environment() != nullptr && waitUntilIdle(*window_); }, kWaitMs));
+    Document& restored = partOf<Document>(*window_);
     QCOMPARE(restored.pipeline(), before);
     QCOMPARE(restored.undoStack()->count(), 3);
     QCOMPARE(restored.undoStack()->index(), 2);
@@ -140,14 +141,14 @@ class TestLostSessions : public QObject {
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(path);
     QVERIFY(written.count() > 0 || written.wait(kWaitMs));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 33, 1);
-    QVERIFY(window_->hasUnsavedChanges());
-    window_->commands().find("file.save")->trigger();
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 33, 1);
+    QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges());
+    window_->findChild<QAction*>("file.save")->trigger();
     QVERIFY(!QApplication::activeModalWidget());
-    QTRY_VERIFY_WITH_TIMEOUT(!window_->hasUnsavedChanges(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(!partOf<SessionFiles>(*window_).hasUnsavedChanges(), kWaitMs);
     QCOMPARE(readSession(path.toStdString()).pipeline.steps[0].values[0], 33.0);
     // Saves to another file, with a dialog.
-    window_->commands().find("file.saveAs")->trigger();
+    window_->findChild<QAction*>("file.saveAs")->trigger();
     QTRY_VERIFY(QApplication::activeModalWidget());
     QApplication::activeModalWidget()->close();
   }
@@ -157,7 +158,7 @@ class TestLostSessions : public QObject {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     QTRY_VERIFY_WITH_TIMEOUT(!window_->drawing(), kWaitMs);
     QSignalSpy finished(&window_->controller(), &RunController::finished);
-    window_->document().setValue(window_->document().filters()[0].id, 0, 70, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 70, 1);
     QVERIFY(finished.count() > 0 || finished.wait(kWaitMs));
     // The picture comes with a later frame.
     QTRY_VERIFY_WITH_TIMEOUT(!window_->drawing(), kWaitMs);

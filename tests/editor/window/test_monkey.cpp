@@ -97,7 +97,7 @@ class Monkey {
       default:
         last_ = QStringLiteral("undo and redo");
         for (int i = below(4); i >= 0; --i)
-          below(3) == 0 ? window_.document().undoStack()->redo() : window_.document().undoStack()->undo();
+          below(3) == 0 ? partOf<Document>(window_).undoStack()->redo() : partOf<Document>(window_).undoStack()->undo();
     }
     QTest::qWait(below(10) == 0 ? below(120) : below(8));
   }
@@ -215,7 +215,7 @@ class Monkey {
   }
 
   void command() {
-    const auto& entries = window_.commands().entries();
+    const auto& entries = partOf<CommandRegistry>(window_).entries();
     const auto& entry = entries.at(static_cast<std::size_t>(below(static_cast<int>(entries.size()))));
     static const QStringList kNot = {QStringLiteral("file.quit"), QStringLiteral("file.recent")};
     if (kNot.contains(entry.command.id) || !entry.action->isEnabled()) return;
@@ -282,7 +282,7 @@ QString poseText(const CameraPose& pose) {
 /// The filters after random edits may take long on a large level. The list is what a failure is repeated with.
 bool waitForRuns(EditorWindow& window, int milliseconds) {
   if (QTest::qWaitFor([&] { return window.idle(); }, milliseconds)) return true;
-  qWarning("not done: %s", qPrintable(QString::fromStdString(formatPipeline(window.document().pipeline()))
+  qWarning("not done: %s", qPrintable(QString::fromStdString(formatPipeline(partOf<Document>(window).pipeline()))
                                           .replace(QLatin1Char('\n'), QLatin1String("; "))));
   return false;
 }
@@ -292,7 +292,7 @@ QString lyingRow(EditorWindow& window) {
   const auto shown = window.controller().finishedRun();
   if (!shown || !window.controller().upToDate()) return {};
   const auto& rows = partOf<FilterList>(window).rows();
-  const auto& filters = window.document().filters();
+  const auto& filters = partOf<Document>(window).filters();
   if (rows.size() != filters.size()) return QStringLiteral("%1 rows of %2").arg(rows.size()).arg(filters.size());
   std::size_t step = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -343,7 +343,8 @@ void TestMonkey::randomEventsBreakNothing() {
   window.open(
       qEnvironmentVariable("FOOTFALL_MONKEY_LEVEL", QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/house/house.obj")));
   QVERIFY(waitForRuns(window, longest));
-  window.document().addFilter(filterDescriptor(FilterType::Radius), window.level()->metresPerUnit);
+  partOf<Document>(window).addFilter(filterDescriptor(FilterType::Radius),
+                                     partOf<LevelComposer>(window).level()->metresPerUnit);
   QVERIFY(waitForRuns(window, longest));
 
   Monkey monkey(window, seed);
@@ -387,11 +388,11 @@ void TestMonkey::randomEventsBreakNothing() {
   // The shown result is that of a run from nothing.
   window.controller().runNow();
   QVERIFY(waitForRuns(window, longest));
-  if (!window.level()) return;
+  if (!partOf<LevelComposer>(window).level()) return;
   const auto shown = window.controller().finishedRun();
   QVERIFY(shown);
   RunContext context;
-  const RunResult fresh = runPipeline(window.level(), shown->pipeline, context);
+  const RunResult fresh = runPipeline(partOf<LevelComposer>(window).level(), shown->pipeline, context);
   const ExportHeader header = makeExportHeader(shown->pipeline);
   QVERIFY(formatObj(*fresh.mesh, header) == formatObj(*shown->result.mesh, header));
 }

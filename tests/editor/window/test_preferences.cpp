@@ -30,19 +30,19 @@ class TestPreferences : public QObject {
     select(dialog, "view.fit");
     const QKeySequence key(Qt::CTRL | Qt::SHIFT | Qt::Key_F9);
     type(dialog, key);
-    QCOMPARE(window_->commands().find("view.fit")->shortcut(), key);
+    QCOMPARE(window_->findChild<QAction*>("view.fit")->shortcut(), key);
     // A key of another command is refused, and by its name.
     select(dialog, "view.top");
     type(dialog, key);
     QVERIFY2(dialog.keyProblem().contains("already used by"), qPrintable(dialog.keyProblem()));
-    QCOMPARE(window_->commands().find("view.top")->shortcut(), QKeySequence(Qt::Key_T));
+    QCOMPARE(window_->findChild<QAction*>("view.top")->shortcut(), QKeySequence(Qt::Key_T));
     // The next window has it.
     EditorWindow other;
-    QCOMPARE(other.commands().find("view.fit")->shortcut(), key);
+    QCOMPARE(other.findChild<QAction*>("view.fit")->shortcut(), key);
     select(dialog, "view.fit");
     for (auto* button : dialog.findChildren<QPushButton*>())
       if (button->text() == "&Usual keys") button->click();
-    QVERIFY(window_->commands().find("view.fit")->shortcut() != key);
+    QVERIFY(window_->findChild<QAction*>("view.fit")->shortcut() != key);
     QVERIFY(!QSettings().contains("keys/view.fit"));
   }
 
@@ -60,7 +60,7 @@ class TestPreferences : public QObject {
 
  private:
   Preferences& open() {
-    window_->commands().find("edit.preferences")->trigger();
+    window_->findChild<QAction*>("edit.preferences")->trigger();
     auto* dialog = window_->findChild<Preferences*>();
     if (!dialog) qFatal("no preferences");
     return *dialog;

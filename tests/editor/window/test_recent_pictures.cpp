@@ -57,14 +57,14 @@ class TestRecentPictures : public QObject {
     EditorWindow window;
     window.resize(1280, 800);
     QVERIFY(showWindow(window));
-    window.photographer().setDelay(10);
-    QSignalSpy changed(&window.photographer(), &RecentPhotographer::changed);
+    partOf<RecentPhotographer>(window).setDelay(10);
+    QSignalSpy changed(&partOf<RecentPhotographer>(window), &RecentPhotographer::changed);
     QVERIFY(openZUp(window, table, "SlopeFilter 45\nVerticalClearanceFilter 2\n"));
     QVERIFY(QTest::qWaitFor([&] { return changed.count() > 0; }, kWaitMs));
     const QImage stored = RecentPictures::ofUser().find(table);
     QCOMPARE(stored.size(), RecentPictures::kSize);
     QVERIFY(isColourful(stored));
-    window.commands().find("file.welcome")->trigger();
+    window.findChild<QAction*>("file.welcome")->trigger();
     QListWidget* list = partOf<WelcomePage>(window).recentList();
     QCOMPARE(list->count(), 1);
     const QImage shown = list->item(0)->icon().pixmap(list->iconSize()).toImage();
@@ -72,7 +72,7 @@ class TestRecentPictures : public QObject {
     shoot(window, "welcome-pictures");
     // A file without one has a small icon in its place.
     QSettings().setValue("recentFiles", QStringList{table, writeFile(*folder_, "other.obj", floorObj())});
-    window.commands().find("file.welcome")->trigger();
+    window.findChild<QAction*>("file.welcome")->trigger();
     QCOMPARE(list->count(), 2);
     QVERIFY(!isColourful(list->item(1)->icon().pixmap(list->iconSize()).toImage()));
     // Off the list, the picture goes.
@@ -89,7 +89,7 @@ class TestRecentPictures : public QObject {
     const QString table = writeFile(*folder_, "table.obj", tableObj());
     QVERIFY(openZUp(window, table, "SlopeFilter 45\n"));
     QVERIFY(QTest::qWaitFor([&] { return window.view().isWhole(); }, kWaitMs));
-    window.photographer().take();
+    partOf<RecentPhotographer>(window).take();
     QTest::qWait(50);
     QVERIFY(!QFile::exists(RecentPictures::ofUser().pathOf(table)));
   }

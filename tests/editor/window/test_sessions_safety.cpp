@@ -71,12 +71,12 @@ class TestSessionsSafety : public QObject {
     QVERIFY(partOf<MessageBar>(*window_).isVisible());
     QVERIFY(partOf<MessageBar>(*window_).text().contains("table.obj"));
     QTest::mouseClick(button("Restore"), Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->document().pipeline(), saved.pipeline);
-    QCOMPARE(window_->environment()->up, UpAxis::Z);
+    QCOMPARE(partOf<Document>(*window_).pipeline(), saved.pipeline);
+    QCOMPARE(window_->file().environment()->up, UpAxis::Z);
     QVERIFY(window_->windowTitle().contains("work.footfall"));  // saving goes where it went before
-    QVERIFY(!window_->hasUnsavedChanges());
+    QVERIFY(!partOf<SessionFiles>(*window_).hasUnsavedChanges());
     // A restored session is kept by this window now, and offered to no other.
     QTRY_COMPARE(autosaves().size(), 1);
     auto other = makeWindow();
@@ -86,17 +86,17 @@ class TestSessionsSafety : public QObject {
 
   void unsavedChangesComeBackAsUnsaved() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
-    QVERIFY(window_->hasUnsavedChanges());
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
+    QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges());
     QVERIFY(QTest::qWaitFor([] { return !autosaves().isEmpty(); }));
     QTest::qWait(1300);  // the last change is in
     window_.reset();     // not closed: as if it had ended unexpectedly
     window_ = makeWindow();
     window_->offerRestoring();
     QTest::mouseClick(button("Restore"), Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
-    QCOMPARE(window_->document().filters().at(0).step.values[0], 50.0);
-    QVERIFY(window_->hasUnsavedChanges());
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
+    QCOMPARE(partOf<Document>(*window_).filters().at(0).step.values[0], 50.0);
+    QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges());
   }
 
   void whatIsNotWantedIsDiscarded() {
@@ -142,13 +142,13 @@ class TestSessionsSafety : public QObject {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
     QVERIFY(window_->close());  // nothing changed
     window_->show();
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
 
     QVERIFY(!window_->close());
     QVERIFY(!window_->close());  // The question was shown already.
     QCOMPARE(window_->findChildren<QMessageBox*>().size(), 1);
     answer(QMessageBox::Cancel);
-    QVERIFY(window_->isVisible() && window_->hasUnsavedChanges());
+    QVERIFY(window_->isVisible() && partOf<SessionFiles>(*window_).hasUnsavedChanges());
 
     QVERIFY(!window_->close());
     answer(QMessageBox::Discard);
@@ -157,7 +157,7 @@ class TestSessionsSafety : public QObject {
 
   void closingSavesWhenAsked() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
     const QString target = folder_->filePath("saved.footfall");
     QVERIFY(!window_->close());
     answer(QMessageBox::Save);
@@ -168,7 +168,7 @@ class TestSessionsSafety : public QObject {
 
   void aSaveThatIsCalledOffClosesNothing() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
     QVERIFY(!window_->close());
     answer(QMessageBox::Save);
     QWidget* dialog = nullptr;
@@ -186,16 +186,16 @@ class TestSessionsSafety : public QObject {
 
   void openingAsksToo() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
-    const auto before = window_->environment();
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
+    const auto before = window_->file().environment();
     const QString other = writeFile(*folder_, "floor.obj", floorObj());
     window_->openAsking(other);
     answer(QMessageBox::Cancel);
     QTest::qWait(100);
-    QCOMPARE(window_->environment(), before);
+    QCOMPARE(window_->file().environment(), before);
     window_->openAsking(other);
     answer(QMessageBox::Discard);
-    QTRY_VERIFY(window_->environment() != before);
+    QTRY_VERIFY(window_->file().environment() != before);
   }
 
   void savingThatFailsLeavesTheDocumentUnsaved() {
@@ -204,14 +204,14 @@ class TestSessionsSafety : public QObject {
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(good);
     QVERIFY(written.wait());
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
     const QByteArray before = readFile(good);
     QVERIFY(window_->isWindowModified());
 
     window_->saveSession(folder_->filePath("no/such/folder/x.footfall"));
     QTRY_VERIFY(partOf<MessageBar>(*window_).isVisible());
     QVERIFY(partOf<MessageBar>(*window_).text().contains("no/such/folder"));
-    QVERIFY(window_->hasUnsavedChanges() && window_->isWindowModified());
+    QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges() && window_->isWindowModified());
     QVERIFY(window_->windowTitle().contains("good.footfall"));
 
     // A device that is always full.
@@ -219,22 +219,22 @@ class TestSessionsSafety : public QObject {
       partOf<MessageBar>(*window_).clear();
       window_->saveSession("/dev/full");
       QTRY_VERIFY(partOf<MessageBar>(*window_).text().contains("full"));
-      QVERIFY(window_->hasUnsavedChanges());
+      QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges());
     }
     QCOMPARE(readFile(good), before);
     window_->saveSession(good);
-    QTRY_VERIFY(!window_->hasUnsavedChanges());
+    QTRY_VERIFY(!partOf<SessionFiles>(*window_).hasUnsavedChanges());
     QCOMPARE(written.count(), 2);
   }
 
   void editsWhileSavingStayUnsaved() {
     QVERIFY(openZUp(*window_, table_, "SlopeFilter 45\n"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 50, 0);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 50, 0);
     QSignalSpy written(window_.get(), &EditorWindow::written);
     window_->saveSession(folder_->filePath("work.footfall"));
-    window_->document().setValue(window_->document().filters()[0].id, 0, 60, 1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[0].id, 0, 60, 1);
     QVERIFY(written.wait());
-    QVERIFY(window_->hasUnsavedChanges());
+    QVERIFY(partOf<SessionFiles>(*window_).hasUnsavedChanges());
   }
 
   void aSettingsFolderThatCannotBeWrittenIsToldOnce() {

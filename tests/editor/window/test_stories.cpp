@@ -119,7 +119,7 @@ void TestStories::picture(const QString& name) {
 }
 
 QAction* TestStories::command(const char* id) {
-  QAction* found = window_->commands().find(QLatin1String(id));
+  QAction* found = window_->findChild<QAction*>(QLatin1String(id));
   if (!found) qFatal("no command %s", id);
   return found;
 }
@@ -140,7 +140,8 @@ void TestStories::clickAt(const Vec3& place) {
 
 FilterRow* TestStories::row(const char* filter) {
   for (std::size_t i = 0; i < partOf<FilterList>(*window_).rows().size(); ++i) {
-    if (window_->document().filters()[i].step.filter->name == filter) return partOf<FilterList>(*window_).rows()[i];
+    if (partOf<Document>(*window_).filters()[i].step.filter->name == filter)
+      return partOf<FilterList>(*window_).rows()[i];
   }
   return nullptr;
 }
@@ -189,7 +190,7 @@ void TestStories::aDoorwayIsClosed() {
 
   // A smaller agent fits; the answer and the path follow.
   setParameter("VerticalClearanceFilter", "1.8");
-  QCOMPARE(window_->document().undoStack()->count(), 1);
+  QCOMPARE(partOf<Document>(*window_).undoStack()->count(), 1);
   QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
   partOf<HeightSlider>(*window_).setRange({});
   QTest::keyClick(&window_->view(), Qt::Key_Escape);
@@ -208,12 +209,12 @@ void TestStories::aDoorwayIsClosed() {
   const QString session = folder_.filePath(QStringLiteral("rooms.footfall"));
   window_->saveSession(session);
   QVERIFY(waitUntilIdle(*window_));
-  const Pipeline pipeline = window_->document().pipeline();
+  const Pipeline pipeline = partOf<Document>(*window_).pipeline();
   cleanup();
   init();
   window_->open(session);
   QVERIFY(waitUntilIdle(*window_));
-  QVERIFY(window_->document().pipeline() == pipeline);
+  QVERIFY(partOf<Document>(*window_).pipeline() == pipeline);
   const auto again = window_->controller().finishedRun();
   QVERIFY(again && again->result.mesh->triangles.size() == mesh.triangles.size());
 }
@@ -235,13 +236,13 @@ void TestStories::aCrateIsMoved() {
   command("obstacle.box")->trigger();
   QVERIFY(window_->view().tool() != nullptr);
   clickAt(kDoorway);
-  QTRY_COMPARE(window_->document().state().obstacles.size(), std::size_t{1});
+  QTRY_COMPARE(partOf<Document>(*window_).state().obstacles.size(), std::size_t{1});
   QVERIFY(waitUntilIdle(*window_));
   // Wide enough to fill the doorway, in numbers; its top is too small to be walkable.
-  DocumentState next = window_->document().state();
+  DocumentState next = partOf<Document>(*window_).state();
   next.obstacles[0].size = {0.75, 1.3, 1};
   next.obstacles[0].base = {8.875, 5.125, 0};
-  window_->document().edit(next, QStringLiteral("Resize Box 1"));
+  partOf<Document>(*window_).edit(next, QStringLiteral("Resize Box 1"));
   QVERIFY(waitUntilIdle(*window_));
   QTRY_COMPARE(regions(), openRegions + 1);  // the rooms are apart
   panelOnly("view.obstacles");
@@ -263,7 +264,7 @@ void TestStories::aCrateIsMoved() {
   }
   QTest::mouseRelease(&window_->view(), Qt::LeftButton, {}, to + QPoint(0, 12));
   QVERIFY(waitUntilIdle(*window_));
-  QVERIFY(window_->document().state().obstacles[0].base.x < 7);
+  QVERIFY(partOf<Document>(*window_).state().obstacles[0].base.x < 7);
   QTRY_COMPARE(regions(), openRegions);
   QTest::keyClick(&window_->view(), Qt::Key_Z, Qt::ControlModifier);
   QVERIFY(waitUntilIdle(*window_));
@@ -303,7 +304,7 @@ void TestStories::stairsAreClimbed() {
 
   mend->click();
   QVERIFY(waitUntilIdle(*window_));
-  const double step = window_->document().pipeline().steps[3].values[0];
+  const double step = partOf<Document>(*window_).pipeline().steps[3].values[0];
   QVERIFY(step >= kRiser && step < 1.1 * kRiser);
   QTRY_VERIFY(paths->model().result() && paths->model().result()->reached());
   QCOMPARE(paths->model().result()->steps.size(), std::size_t{kRisers});
@@ -328,9 +329,9 @@ void TestStories::severalAgents() {
     add->menu()->actions().at(i)->trigger();
     QVERIFY(waitUntilIdle(*window_));
   }
-  QCOMPARE(window_->document().state().agents.size(), std::size_t{3});
-  const double tall = window_->document().state().agents[0].height;
-  const double small = window_->document().state().agents[1].height;
+  QCOMPARE(partOf<Document>(*window_).state().agents.size(), std::size_t{3});
+  const double tall = partOf<Document>(*window_).state().agents[0].height;
+  const double small = partOf<Document>(*window_).state().agents[1].height;
   QVERIFY(tall != small);
   command("agent.all")->trigger();
   QTest::qWait(3000);
@@ -339,7 +340,7 @@ void TestStories::severalAgents() {
   for (const auto& [key, height] : {std::pair{Qt::Key_1, tall}, std::pair{Qt::Key_2, small}}) {
     QTest::keyClick(&window_->view(), key, Qt::AltModifier);
     QVERIFY(waitUntilIdle(*window_));
-    QCOMPARE(window_->document().pipeline().steps[3].values[0], height);
+    QCOMPARE(partOf<Document>(*window_).pipeline().steps[3].values[0], height);
   }
   picture(QStringLiteral("guide-agents"));
 }

@@ -136,14 +136,14 @@ class TestTurntable : public QObject {
     QVERIFY(stopped.first().first().toString().contains("of 500 frames are written, as the turntable was cancelled"));
     QVERIFY(!window_->findChild<QPushButton*>("cancel")->isVisible());
     table().start({folder_->filePath("b"), 500, {320, 240}});
-    window_->document().setValue(window_->document().filters()[1].id, 0, 0.5, -1);
+    partOf<Document>(*window_).setValue(partOf<Document>(*window_).filters()[1].id, 0, 0.5, -1);
     QVERIFY(QTest::qWaitFor([&] { return stopped.count() == 2; }, kWaitMs));
     QVERIFY(stopped.last().first().toString().contains("as the filters run again"));
     QVERIFY(waitUntilIdle(*window_));
   }
 
   void theDialog() {
-    window_->commands().find("file.turntable")->trigger();
+    window_->findChild<QAction*>("file.turntable")->trigger();
     auto* dialog = window_->findChild<TurntableDialog*>();
     QVERIFY(dialog);
     QVERIFY(dialog->folderField()->text().endsWith("table-turntable"));
@@ -155,7 +155,7 @@ class TestTurntable : public QObject {
     QVERIFY(finished.wait(kWaitMs));
     QCOMPARE(QImage(folder_->filePath("table-turntable/frame_0002.png")).size(), QSize(960, 540));
     EditorWindow empty;
-    QVERIFY(!empty.commands().find("file.turntable")->isEnabled());
+    QVERIFY(!empty.findChild<QAction*>("file.turntable")->isEnabled());
   }
 
   void fromTheCommandLine() {

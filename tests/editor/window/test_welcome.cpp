@@ -33,9 +33,9 @@ class TestWelcome : public QObject {
     QTest::keyClick(page.openButton(), Qt::Key_Escape);
     QVERIFY(page.isVisible());  // there is nothing behind it
     window_->open(table_);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
     QVERIFY(!page.isVisible());
-    window_->commands().find("file.welcome")->trigger();
+    window_->findChild<QAction*>("file.welcome")->trigger();
     QVERIFY(page.isVisible() && page.closeButton()->isVisible());
     QTest::keyClick(page.openButton(), Qt::Key_Escape);
     QVERIFY(!page.isVisible());
@@ -66,7 +66,7 @@ class TestWelcome : public QObject {
 
   void opensRecentFilesWithTheKeyboard() {
     window_->open(table_);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
     QVERIFY(waitUntilIdle(*window_));
     EditorWindow other;
     other.resize(1100, 800);
@@ -77,7 +77,7 @@ class TestWelcome : public QObject {
     list->setFocus();
     QTest::keyClick(list, Qt::Key_Down);
     QTest::keyClick(list, Qt::Key_Return);
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
   }
 
   void opensRecentFilesWithTheMouse() {
@@ -86,7 +86,7 @@ class TestWelcome : public QObject {
     QListWidget* list = partOf<WelcomePage>(*window_).recentList();
     QTest::qWait(50);  // laid out
     QTest::mouseClick(list->viewport(), Qt::LeftButton, Qt::NoModifier, list->visualItemRect(list->item(0)).center());
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
   }
 
   void missingFilesAreToldAndCanBeTakenOff() {
@@ -101,7 +101,7 @@ class TestWelcome : public QObject {
     list->setCurrentRow(0);
     QTest::keyClick(list, Qt::Key_Return);
     QTest::qWait(100);
-    QVERIFY(!window_->environment() && !partOf<MessageBar>(*window_).isVisible());
+    QVERIFY(!window_->file().environment() && !partOf<MessageBar>(*window_).isVisible());
     QTest::keyClick(list, Qt::Key_Delete);
     QCOMPARE(list->count(), 1);
     QCOMPARE(QSettings().value("recentFiles").toStringList(), QStringList{table_});
@@ -115,8 +115,8 @@ class TestWelcome : public QObject {
     const auto& buttons = partOf<WelcomePage>(*window_).sampleButtons();
     QVERIFY2(buttons.size() >= 6, "the samples of the source folder");
     QTest::keyClick(buttons.front(), Qt::Key_Space);
-    QVERIFY(QTest::qWaitFor([&] { return window_->environment() != nullptr; }));
-    QVERIFY(QString::fromStdString(window_->environment()->source).endsWith("rooms.obj"));
+    QVERIFY(QTest::qWaitFor([&] { return window_->file().environment() != nullptr; }));
+    QVERIFY(QString::fromStdString(window_->file().environment()->source).endsWith("rooms.obj"));
     QVERIFY(waitUntilIdle(*window_));
     QVERIFY(window_->controller().upToDate());
   }
@@ -145,8 +145,8 @@ class TestWelcome : public QObject {
     QVERIFY(button->isVisible());
     QVERIFY(button->text().contains("table.obj"));
     QTest::mouseClick(button, Qt::LeftButton);
-    QVERIFY(QTest::qWaitFor([&] { return other.environment() != nullptr; }));
-    QCOMPARE(other.document().filters().at(0).step.values[0], 33.0);
+    QVERIFY(QTest::qWaitFor([&] { return other.file().environment() != nullptr; }));
+    QCOMPARE(partOf<Document>(other).filters().at(0).step.values[0], 33.0);
     QVERIFY(!other.isWindowModified());
     QVERIFY(!other.windowTitle().contains("last-session"));
     QVERIFY(!QSettings().value("recentFiles").toStringList().join(' ').contains("last-session"));
