@@ -10,6 +10,7 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
+#include "ui/base/translations.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 #include "ui/path/path_feature.hpp"
 
@@ -199,6 +200,19 @@ class TestTryRadius : public EditorSuite {
     // Another environment begins with a point.
     QVERIFY(openZUp(*window_, writeFile(*folder_, "floor.obj", floorObj()), kPipeline));
     QVERIFY(model().body() == WalkingBody{});
+  }
+
+  void inGerman() {
+    loadTranslations("de");
+    closeWindow();
+    QVERIFY(openLevel(roomsObj(), kPipeline));
+    show();
+    model().setBody({0.5});
+    QTRY_VERIFY(model().bodyPath());
+    QVERIFY2(text("rowError").startsWith("Jeder Weg ist zu schmal."), qPrintable(text("rowError")));
+    QVERIFY2(text("rowError").contains("1 Einheit breit"), qPrintable(text("rowError")));
+    shoot(*window_, "radius-german");
+    loadTranslations("en");
   }
 
  private:

@@ -83,6 +83,7 @@ class TestStories : public QObject {
   void clickAt(const Vec3& place);
   [[nodiscard]] FilterRow* row(const char* filter);
   void setParameter(const char* filter, const char* value);
+  void theWheelchairTriesTheDoor(const Bottleneck& door);
 
   QTemporaryDir folder_;
   QString pictures_;
@@ -369,6 +370,35 @@ void TestStories::passagesAreMeasured() {
   const double floor = model.bottleneckOf(door)->place.z;
   partOf<HeightSlider>(*window_).setRange({floor - 1, floor + 2});  // under the attic
   picture(QStringLiteral("guide-corridors"));
+  theWheelchairTriesTheDoor(*model.bottleneckOf(door));
+}
+
+// The same door as the end of a path: the wheelchair does not fit through it, and one that is narrower does.
+void TestStories::theWheelchairTriesTheDoor(const Bottleneck& door) {
+  PathModel& path = partOf<PathFeature>(*window_).model();
+  window_->findChild<QDockWidget*>(QStringLiteral("panel.corridors"))->close();
+  panelOnly("panel.path");
+  const double wide = 1.5 / door.width;
+  const Vec3 across{wide * (door.left.y - door.right.y), wide * (door.right.x - door.left.x), 0};
+  const Vec3& at = door.place;
+  path.setPlaces(Vec3{at.x - across.x, at.y - across.y, at.z}, Vec3{at.x + across.x, at.y + across.y, at.z});
+  QTRY_VERIFY_WITH_TIMEOUT(path.result() && path.result()->reached(), kWaitMs);  // a point
+  auto* radius = window_->findChild<QLineEdit*>(QStringLiteral("pathRadius"));
+  const auto type = [&](const char* number) {
+    radius->setFocus();
+    QTest::keyClick(radius, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(radius, QLatin1String(number));
+  };
+  type("0.55");
+  QTRY_VERIFY_WITH_TIMEOUT(path.bodyPath() && path.bodyPath()->status == BodyPathStatus::TooNarrow, kWaitMs);
+  QVERIFY(std::abs(path.bodyPath()->lacking - 0.1) < 1e-9);
+  QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("pathShowPassage")), Qt::LeftButton);
+  picture(QStringLiteral("guide-wheelchair"));
+  type("0.45");
+  QTRY_VERIFY_WITH_TIMEOUT(path.result() && path.result()->reached(), kWaitMs);
+  partOf<PathFeature>(*window_).walk().walker().setTime(
+      partOf<PathFeature>(*window_).walk().walker().track().seconds() / 3);
+  picture(QStringLiteral("guide-wheelchair-fits"));
 }
 
 void TestStories::aBuildingIsLookedInto() {
