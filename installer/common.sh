@@ -42,6 +42,16 @@ quietly() {
   fi
 }
 
+# Configures the preset named first; further arguments go to cmake.
+configure() {
+  local preset="$1"
+  shift
+  mkdir -p "${repository}/build"
+  cd -- "${repository}" || fail "cannot enter ${repository}"
+  say "configuring (${preset})"
+  quietly "${repository}/build/configure-${preset}.log" cmake --preset "${preset}" -UFOOTFALL_COMMAND_LINE_ONLY "$@"
+}
+
 # Packages, the libraries that are built here, and a configured build of the preset named first; further arguments go to
 # cmake.
 prepare() {
@@ -50,10 +60,7 @@ prepare() {
   "${repository}/installer/install_dependencies.sh"
   "${repository}/installer/build_qglviewer.sh"
   if [ "${preset}" = tsan ]; then "${repository}/installer/build_tsan_tbb.sh"; fi
-  mkdir -p "${repository}/build"
-  cd -- "${repository}" || fail "cannot enter ${repository}"
-  say "configuring (${preset})"
-  quietly "${repository}/build/configure-${preset}.log" cmake --preset "${preset}" "$@"
+  configure "${preset}" "$@"
 }
 
 # Fetches the source of the Debian package named first and unpacks it below the folder named second, which must be new

@@ -1,20 +1,25 @@
 #!/usr/bin/env bash
-# install_dependencies.sh [--fuzzing | --tidy | --wheel | --reference]: installs the Debian packages that Footfall is built
-# with, tested with and runs on, and with an option those that tests/fuzz/run.sh, tests/tidy.sh, installer/wheel.sh or
-# docs/make_reference.sh need. Does nothing, quickly, when all are there. Needs root, or sudo, only when something is
-# missing.
+# install_dependencies.sh [--command-line | --fuzzing | --tidy | --wheel | --reference]: installs the Debian packages that
+# Footfall is built with, tested with and runs on. With --command-line only those that the command line is built with;
+# with another option also those that tests/fuzz/run.sh, tests/tidy.sh, installer/wheel.sh or docs/make_reference.sh
+# need. Does nothing, quickly, when all are there. Needs root, or sudo, only when something is missing.
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 # shellcheck source=installer/common.sh
 source "$(dirname -- "${BASH_SOURCE[0]}")/common.sh"
 
-packages=(
+command_line=(
   # building
-  ca-certificates ccache cmake dpkg-dev g++ git make ninja-build
-  # the core
+  ccache cmake g++ ninja-build
+  # the core and the programs
   libassimp-dev zlib1g-dev libminizip-dev libcgal-dev libcli11-dev libdraco-dev libgmp-dev libhpdf-dev
-  libmeshoptimizer-dev libmpfr-dev libtbb-dev
+  libmeshoptimizer-dev libmpfr-dev librecast-dev libtbb-dev
   nlohmann-json3-dev
+)
+packages=(
+  "${command_line[@]}"
+  # libQGLViewer from its source package
+  ca-certificates dpkg-dev git make
   # the editor; fonts, because a bare system has none and Qt then draws empty boxes
   fonts-dejavu-core libegl-dev libgl-dev libgl1-mesa-dri libglu1-mesa-dev libopengl-dev libqcustomplot-dev
   libqt6opengl6-dev qmake6 qt6-base-dev qt6-base-dev-tools qt6-l10n-tools qt6-qpa-plugins qt6-svg-dev
@@ -27,17 +32,18 @@ packages=(
   appstream debian-archive-keyring desktop-file-utils gzip librsvg2-bin man-db mmdebstrap shared-mime-info
   # testing
   clang-format librapidcheck-dev poppler-utils python3-shapely xauth xvfb
-  # peers that the benchmark compares with
-  libembree-dev librecast-dev
+  # a peer that the benchmark compares with
+  libembree-dev
 )
 
 case "$#:${1:-}" in
   0:) ;;
+  1:--command-line) packages=("${command_line[@]}") ;;
   1:--fuzzing) packages+=(clang-14 libclang-rt-14-dev) ;;
   1:--tidy) packages+=(clang-tidy) ;;
   1:--wheel) packages+=(binutils patchelf python3-venv) ;;
   1:--reference) packages+=(doxygen python3-sphinx) ;;
-  *) fail "unknown arguments $*; usage: install_dependencies.sh [--fuzzing | --tidy | --wheel | --reference]" ;;
+  *) fail "unknown arguments $*; usage: install_dependencies.sh [--command-line | --fuzzing | --tidy | --wheel | --reference]" ;;
 esac
 
 command -v dpkg-query >/dev/null || fail "this is not a Debian system; install by hand: ${packages[*]}"
