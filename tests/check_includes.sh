@@ -9,6 +9,7 @@ cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
 # Each folder may use those before it, and itself. A public header belongs to the folder that implements it.
 core="base exact mesh environment io assembly filters partitioning distributed pipeline tiles navigation inspect compare report"
+base="text look work commands widgets messages files" # the folders of ui/base; they come after the files beside them
 ui="base document view run level agents filters cells inspect path window"
 public="text:base errors:base geometry:base statistics:base run_context:base navigation_mesh:mesh
   environment:environment edit:environment up_axis:environment io:io filter:filters filter_type:filters parameter:filters place_verdict:filters agent:pipeline agent_list:pipeline pipeline:pipeline run:pipeline
@@ -25,7 +26,7 @@ if grep -rnE 'include *[<"](oneapi/)?tbb/|\btbb::' core app bindings ui --includ
   exit 1
 fi
 
-grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${core}" -v ui="${ui}" -v public="${public}" -v counts="${1:-}" '
+grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${core}" -v base="${base}" -v ui="${ui}" -v public="${public}" -v counts="${1:-}" '
   BEGIN {
     count = split(core, names, " ")
     for (i = 1; i <= count; ++i) rank["core/" names[i]] = ++ranks
@@ -33,6 +34,8 @@ grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${co
     for (i = 1; i <= count; ++i) { split(names[i], pair, ":"); home[pair[1] ".hpp"] = "core/" pair[2] }
     count = split(ui, names, " ")
     for (i = 1; i <= count; ++i) rank["ui/" names[i]] = ++ranks
+    count = split(base, names, " ")
+    for (i = 1; i <= count; ++i) within["ui/base/" names[i]] = i
     rank["app"] = ++ranks
   }
   function folderOf(path,    parts) {
@@ -41,6 +44,10 @@ grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${co
     if (parts[1] == "footfall") return home[parts[2]]
     if (path ~ /^core\/include\//) return home[parts[4]]
     return parts[1] "/" parts[2]
+  }
+  function placeIn(path,    parts) {
+    split(path, parts, "/")
+    return within[parts[1] "/" parts[2] "/" parts[3]] + 0
   }
   {
     colon = index($0, ":")
@@ -52,6 +59,8 @@ grep -rnE '^ *#include "(core|footfall|ui|app)/' core ui app | awk -v core="${co
     if (from != to) ++uses[from " " to]
     if (!(from in rank) || !(to in rank)) { print $0 ": a folder that the order does not have"; ++wrong }
     else if (rank[to] > rank[from]) { print $0 ": " from " comes before " to; ++wrong }
+    else if (from == to && placeIn(target) > placeIn(file)) { print $0 ": against the order of the folders in " to; ++wrong }
+    if (file ~ /^ui\/base\/.*\// && placeIn(file) == 0) { print $0 ": a folder that the order does not have"; ++wrong }
   }
   END {
     if (counts != "") {

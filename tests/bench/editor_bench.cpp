@@ -8,7 +8,7 @@
 #include "footfall/errors.hpp"
 #include "tests/bench/editor_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
-#include "ui/base/guarded_application.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/window/editor_application.hpp"
 
 namespace {

@@ -12,9 +12,9 @@
 #include "tests/editor/window_parts.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"
-#include "ui/base/frame_watchdog.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/work/frame_watchdog.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/level/obstacle_features.hpp"
 

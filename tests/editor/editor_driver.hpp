@@ -10,7 +10,7 @@
 #include <memory>
 
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/guarded_application.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/window/editor_application.hpp"
 #include "ui/window/editor_window.hpp"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

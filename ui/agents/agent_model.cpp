@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "ui/agents/agent_edits.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "ui/agents/agent_results.hpp"
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/document/agent_rules.hpp"
 
 namespace footfall::ui {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/document/document.hpp"
 #include "ui/run/run_controller.hpp"
 

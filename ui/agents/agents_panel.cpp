@@ -11,12 +11,12 @@
 
 #include "footfall/filter.hpp"
 #include "ui/agents/agent_edits.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/icon.hpp"
-#include "ui/base/keys_back.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/number_field.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/look/icon.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

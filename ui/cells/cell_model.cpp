@@ -6,8 +6,8 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/base/filter_text.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "core/partitioning/partition.hpp"
 #include "core/pipeline/cell_reuse.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/run/run_threads.hpp"
 #include "ui/view/cells/cell_block.hpp"
 #include "ui/view/cells/cell_colours.hpp"

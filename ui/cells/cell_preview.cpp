@@ -6,8 +6,8 @@
 #include "core/pipeline/runner.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

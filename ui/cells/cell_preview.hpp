@@ -10,8 +10,8 @@
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run_context.hpp"
-#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/latest_work.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/cells/cell_legend.hpp"
 #include "ui/cells/cell_model.hpp"
 #include "ui/cells/cell_preview.hpp"

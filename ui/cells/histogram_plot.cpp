@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "ui/base/core_colours.hpp"
-#include "ui/base/plot_theme.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/look/plot_theme.hpp"
 #include "ui/view/cells/cell_colours.hpp"
 
 namespace footfall::ui {

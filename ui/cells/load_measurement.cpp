@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/run/known_blocks.hpp"
 #include "ui/run/run_job.hpp"
 

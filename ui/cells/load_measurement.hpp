@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/pipeline/runner.hpp"
-#include "ui/base/latest_work.hpp"
-#include "ui/base/processor_use.hpp"
+#include "ui/base/work/latest_work.hpp"
+#include "ui/base/work/processor_use.hpp"
 #include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {

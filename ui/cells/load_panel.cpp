@@ -10,11 +10,11 @@
 #include <span>
 
 #include "core/partitioning/load_balancing.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/keys_back.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/commands/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

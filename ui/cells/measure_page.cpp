@@ -6,8 +6,8 @@
 #include <QVBoxLayout>
 #include <functional>
 
-#include "ui/base/keys_back.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/timeline.hpp"
 #include "ui/view/cells/cell_colours.hpp"

@@ -7,7 +7,7 @@
 #include <QHBoxLayout>
 #include <QPushButton>
 
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

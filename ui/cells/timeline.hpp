@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/processor_use.hpp"
+#include "ui/base/work/processor_use.hpp"
 #include "ui/view/cells/cell_block.hpp"
 
 namespace footfall::ui {

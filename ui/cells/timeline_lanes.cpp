@@ -5,10 +5,10 @@
 #include <tuple>
 
 #include "footfall/filter.hpp"
-#include "ui/base/core_colours.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/plot_theme.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/look/plot_theme.hpp"
+#include "ui/base/look/theme.hpp"
+#include "ui/base/text/filter_text.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/filter_text.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/plot_theme.hpp"
+#include "ui/base/look/plot_theme.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/cells/balance_plot.hpp"
 #include "ui/cells/timeline_lanes.hpp"
 

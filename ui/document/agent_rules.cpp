@@ -11,7 +11,7 @@
 #include "core/pipeline/block_structure.hpp"
 #include "footfall/agent.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 
 namespace footfall::ui {
 namespace {

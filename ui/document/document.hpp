@@ -13,8 +13,8 @@
 #include "core/environment/placed_obstacle.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/document/named_agent.hpp"
 
 namespace footfall::ui {

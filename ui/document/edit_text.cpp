@@ -5,10 +5,10 @@
 
 #include "core/filters/descriptor_text.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/text/translated.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -9,10 +9,10 @@
 #include "core/pipeline/pipeline_fragment.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/icon.hpp"
+#include "ui/base/look/icon.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/filter_text.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/filters/filter_places.hpp"
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "footfall/filter.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "footfall/filter.hpp"
-#include "ui/base/flow_layout.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/filters/filter_places.hpp"
 #include "ui/filters/seed_edits.hpp"

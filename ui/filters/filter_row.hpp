@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/document/document.hpp"
 #include "ui/run/step_status.hpp"
 #include "ui/run/time_strip.hpp"

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "ui/agents/agents_panel.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/run/stale_badge.hpp"
 #include "ui/view/feature_host.hpp"

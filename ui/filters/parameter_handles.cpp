@@ -10,7 +10,7 @@
 #include "core/base/vector.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/filter_text.hpp"
+#include "ui/base/text/filter_text.hpp"
 #include "ui/filters/measure_place.hpp"
 
 namespace footfall::ui {

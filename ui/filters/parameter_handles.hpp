@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/filters/parameter_measure.hpp"
 #include "ui/view/feature_host.hpp"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "footfall/filter.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/document/edit_text.hpp"
 
 namespace footfall::ui {

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/inspect/parameter_check.hpp"
-#include "ui/base/latest_work.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/level_file.hpp"
 

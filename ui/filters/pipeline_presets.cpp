@@ -9,7 +9,7 @@
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/document/document.hpp"
 
 namespace footfall::ui {

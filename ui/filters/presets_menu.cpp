@@ -5,7 +5,7 @@
 #include <exception>
 #include <utility>
 
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 

@@ -7,8 +7,8 @@
 
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/text/translated.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "footfall/up_axis.hpp"
-#include "ui/base/core_colours.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/filters/seed_edits.hpp"
 
 namespace footfall::ui {

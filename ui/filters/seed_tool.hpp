@@ -5,7 +5,7 @@
 #include <QObject>
 #include <optional>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/document/document.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/view/view_tool.hpp"

@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "ui/base/panel_dock.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 #include "ui/view/overlays/box_edges.hpp"
 
 namespace footfall::ui {

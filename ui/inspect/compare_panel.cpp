@@ -9,7 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/base/list_table.hpp"
+#include "ui/base/widgets/list_table.hpp"
 
 namespace footfall::ui {
 namespace {

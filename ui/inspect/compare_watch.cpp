@@ -9,8 +9,8 @@
 #include "core/base/worker_arena.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/io.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/compare/distance_bands.hpp"
 #include "core/compare/surface_difference.hpp"
 #include "footfall/environment.hpp"
-#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/latest_work.hpp"
 
 namespace footfall::ui {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

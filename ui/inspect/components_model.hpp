@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 
 namespace footfall::ui {
 

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/base/keys_back.hpp"
-#include "ui/base/list_table.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/list_table.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/panel_dock.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -10,8 +10,8 @@
 #include "core/base/worker_arena.hpp"
 #include "core/mesh/adjacency.hpp"
 #include "footfall/errors.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {

@@ -10,8 +10,8 @@
 #include <optional>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/overlays/view_overlay.hpp"
 

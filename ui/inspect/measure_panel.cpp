@@ -10,8 +10,8 @@
 #include <array>
 #include <cmath>
 
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
-#include "ui/base/core_colours.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/look/core_colours.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/view/view_tool.hpp"
 

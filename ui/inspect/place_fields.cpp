@@ -7,8 +7,8 @@
 #include <QVariant>
 #include <cmath>
 
-#include "ui/base/keys_back.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 

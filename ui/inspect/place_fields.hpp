@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "footfall/environment.hpp"
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 
 #include "footfall/pipeline.hpp"
-#include "ui/base/flow_layout.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 #include "ui/inspect/why_text.hpp"
 
 namespace footfall::ui {

@@ -8,8 +8,8 @@
 #include <memory>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 
 namespace footfall::ui {
 

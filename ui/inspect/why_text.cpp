@@ -6,9 +6,9 @@
 #include "core/inspect/removal_text.hpp"
 #include "core/report/inspection_report.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <cstdint>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {

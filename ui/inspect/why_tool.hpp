@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "footfall/inspect.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/overlays/view_overlay.hpp"
 #include "ui/view/view_tool.hpp"
 

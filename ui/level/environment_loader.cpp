@@ -9,8 +9,8 @@
 #include "core/io/file_frame.hpp"
 #include "core/io/import.hpp"
 #include "core/io/write_targets.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 

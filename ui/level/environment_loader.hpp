@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "footfall/environment.hpp"
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/level/packed_part.hpp"
 #include "ui/view/geometry/render_geometry.hpp"
 

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "ui/base/file_watch.hpp"
+#include "ui/base/files/file_watch.hpp"
 #include "ui/level/import_panel.hpp"
 #include "ui/level/level_composer.hpp"
 #include "ui/level/level_file.hpp"

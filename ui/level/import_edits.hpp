@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/unit_choice.hpp"
+#include "ui/base/text/unit_choice.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/import_panel.hpp"
 #include "ui/level/level_file.hpp"

@@ -12,14 +12,14 @@
 
 #include "core/io/ifc_reader.hpp"
 #include "footfall/up_axis.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/counted_noun.hpp"
-#include "ui/base/fitted_labels.hpp"
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/keys_back.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/commands/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/positive_number.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/counted_noun.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/fitted_labels.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
+#include "ui/base/widgets/positive_number.hpp"
 #include "ui/level/scale_question.hpp"
 
 namespace footfall::ui {

@@ -10,7 +10,7 @@
 
 #include "core/inspect/scale_evidence.hpp"
 #include "footfall/environment.hpp"
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
 
 namespace footfall::ui {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "footfall/edit.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <memory>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/level/level_composer.hpp"
 #include "ui/view/level_view.hpp"
 

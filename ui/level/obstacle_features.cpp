@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/view/camera/sight_lines.hpp"
 #include "ui/view/geometry/obstacle_geometry.hpp"
 #include "ui/view/overlays/handle_colours.hpp"

@@ -8,9 +8,9 @@
 #include <limits>
 
 #include "footfall/up_axis.hpp"
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/keys_back.hpp"
+#include "ui/base/commands/keys_back.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {

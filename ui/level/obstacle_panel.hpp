@@ -10,8 +10,8 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/base/level_units.hpp"
-#include "ui/base/number_field.hpp"
+#include "ui/base/text/level_units.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/level/obstacle_editor.hpp"
 
 namespace footfall::ui {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "footfall/errors.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/view/overlays/box_edges.hpp"
 #include "ui/view/scene/appearance.hpp"
 

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/level/block_choice.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/view/feature_host.hpp"

@@ -8,8 +8,8 @@
 
 #include "core/environment/environment_diff.hpp"
 #include "footfall/errors.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

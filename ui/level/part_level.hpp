@@ -10,8 +10,8 @@
 
 #include "core/environment/part_rules.hpp"
 #include "footfall/run_context.hpp"
-#include "ui/base/latest_work.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/environment/part_names.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "core/environment/part_names.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/fitted_labels.hpp"
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/fitted_labels.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "core/environment/scale_guess.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "core/environment/skipped_polygons.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/panel_dock.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {

@@ -5,9 +5,9 @@
 #include <QVBoxLayout>
 
 #include "core/environment/skipped_polygons.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/list_table.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/widgets/list_table.hpp"
 
 namespace footfall::ui {
 namespace {

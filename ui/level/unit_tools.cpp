@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "footfall/errors.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/view/feature_host.hpp"
 
 namespace footfall::ui {

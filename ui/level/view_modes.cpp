@@ -12,8 +12,8 @@
 #include "core/base/worker_arena.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

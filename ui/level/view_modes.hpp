@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/level_composer.hpp"
 #include "ui/level/level_file.hpp"

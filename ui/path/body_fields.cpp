@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/positive_number.hpp"
+#include "ui/base/widgets/positive_number.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QSlider>
 
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/path/path_model.hpp"
 
 namespace footfall::ui {

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 #include "ui/inspect/corridors/dimension_line.hpp"
 

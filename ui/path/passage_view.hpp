@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <optional>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/path/path_model.hpp"
 #include "ui/view/level_view.hpp"
 

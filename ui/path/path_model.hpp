@@ -7,8 +7,8 @@
 #include <memory>
 #include <optional>
 
-#include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/path/way_finder.hpp"
 
 namespace footfall::ui {

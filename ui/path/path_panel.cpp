@@ -7,8 +7,8 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/positive_number.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
+#include "ui/base/widgets/positive_number.hpp"
 #include "ui/path/path_text.hpp"
 
 namespace footfall::ui {

@@ -6,7 +6,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/inspect/place_fields.hpp"
 #include "ui/path/body_fields.hpp"
 #include "ui/path/path_model.hpp"

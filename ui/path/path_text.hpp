@@ -5,8 +5,8 @@
 #include <QString>
 
 #include "footfall/body_path.hpp"
-#include "ui/base/level_units.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/level_units.hpp"
 
 namespace footfall::ui {
 

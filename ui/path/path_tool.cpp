@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <QObject>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/path/path_model.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/view/view_tool.hpp"

@@ -7,8 +7,8 @@
 
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/filter_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/filter_text.hpp"
 
 namespace footfall::ui {
 namespace {

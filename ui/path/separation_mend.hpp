@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "footfall/path.hpp"
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/document/document.hpp"
 
 namespace footfall::ui {

@@ -4,8 +4,8 @@
 #include <QVBoxLayout>
 #include <utility>
 
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/keys_back.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "core/navigation/separation_text.hpp"
-#include "ui/base/core_colours.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/look/core_colours.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

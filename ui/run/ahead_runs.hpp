@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/run/finished_runs.hpp"
 #include "ui/run/run_job.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/run/run_job.hpp"
 #include "ui/view/previews/edit_preview.hpp"
 

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <memory>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/run/run_content.hpp"
 
 namespace footfall::ui {

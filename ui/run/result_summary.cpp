@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

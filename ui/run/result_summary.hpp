@@ -5,8 +5,8 @@
 #include <QObject>
 #include <QString>
 
-#include "ui/base/status_line.hpp"
-#include "ui/base/unit_choice.hpp"
+#include "ui/base/messages/status_line.hpp"
+#include "ui/base/text/unit_choice.hpp"
 #include "ui/run/run_controller.hpp"
 
 namespace footfall::ui {

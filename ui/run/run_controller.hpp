@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/pipeline/runner.hpp"
-#include "ui/base/background_queue.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/document/document.hpp"
 #include "ui/run/ahead_runs.hpp"
 #include "ui/run/edit_previews.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "footfall/filter.hpp"
-#include "ui/base/filter_text.hpp"
+#include "ui/base/text/filter_text.hpp"
 #include "ui/run/run_progress.hpp"
 
 namespace footfall::ui {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/pipeline/block_structure.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 

@@ -12,7 +12,7 @@
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/run/run_content.hpp"
 #include "ui/run/run_places.hpp"

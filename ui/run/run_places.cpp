@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "footfall/errors.hpp"
-#include "ui/base/commands.hpp"
+#include "ui/base/commands/commands.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/worker_arena.hpp"
-#include "ui/base/commands.hpp"
+#include "ui/base/commands/commands.hpp"
 
 namespace footfall::ui {
 namespace {

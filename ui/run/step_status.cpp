@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QPainter>
 
-#include "ui/base/icon.hpp"
+#include "ui/base/look/icon.hpp"
 
 namespace footfall::ui {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 

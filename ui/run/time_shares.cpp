@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/base/translated.hpp"
+#include "ui/base/text/translated.hpp"
 #include "ui/document/edit_text.hpp"
 #include "ui/view/cells/cell_colours.hpp"
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/base/commands.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/panels.hpp"
-#include "ui/base/session_sections.hpp"
-#include "ui/base/status_line.hpp"
-#include "ui/base/unit_choice.hpp"
+#include "ui/base/commands/commands.hpp"
+#include "ui/base/files/session_sections.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/status_line.hpp"
+#include "ui/base/text/unit_choice.hpp"
+#include "ui/base/widgets/panels.hpp"
 #include "ui/view/view_tools.hpp"
 
 namespace footfall::ui {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/view/view_tools.hpp"
 
-#include "ui/base/panel_dock.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 
 namespace footfall::ui {
 

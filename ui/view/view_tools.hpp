@@ -5,7 +5,7 @@
 #include <QDockWidget>
 #include <QObject>
 
-#include "ui/base/commands.hpp"
+#include "ui/base/commands/commands.hpp"
 #include "ui/view/level_view.hpp"
 
 namespace footfall::ui {

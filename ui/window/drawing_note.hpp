@@ -7,7 +7,7 @@
 #include <chrono>
 #include <optional>
 
-#include "ui/base/status_line.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/level_view.hpp"
 

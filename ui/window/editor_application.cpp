@@ -11,11 +11,11 @@
 #include <memory>
 
 #include "footfall/version.hpp"
-#include "ui/base/guarded_application.hpp"
-#include "ui/base/icon.hpp"
-#include "ui/base/outline_style.hpp"
-#include "ui/base/theme.hpp"
-#include "ui/base/translations.hpp"
+#include "ui/base/commands/translations.hpp"
+#include "ui/base/look/icon.hpp"
+#include "ui/base/look/outline_style.hpp"
+#include "ui/base/look/theme.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/window/editor_window.hpp"
 #include "ui/window/preferences.hpp"

@@ -8,7 +8,7 @@
 
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/look/theme.hpp"
 #include "ui/view/view_mode.hpp"
 #include "ui/window/session.hpp"
 

@@ -8,7 +8,7 @@
 #include <QToolButton>
 
 #include "footfall/version.hpp"
-#include "ui/base/shortcut_window.hpp"
+#include "ui/base/commands/shortcut_window.hpp"
 #include "ui/window/editor_window.hpp"
 
 namespace footfall::ui {

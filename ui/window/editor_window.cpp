@@ -9,13 +9,13 @@
 #include <chrono>
 #include <limits>
 
-#include "ui/base/focus_ring.hpp"
-#include "ui/base/guarded_application.hpp"
-#include "ui/base/hover_reset.hpp"
-#include "ui/base/keys_back.hpp"
-#include "ui/base/panel_dock.hpp"
-#include "ui/base/theme_commands.hpp"
-#include "ui/base/translations.hpp"
+#include "ui/base/commands/keys_back.hpp"
+#include "ui/base/commands/theme_commands.hpp"
+#include "ui/base/commands/translations.hpp"
+#include "ui/base/widgets/focus_ring.hpp"
+#include "ui/base/widgets/hover_reset.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/filters/filter_tools.hpp"
 #include "ui/filters/parameter_handles.hpp"
 #include "ui/filters/parameter_notes.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/base/commands.hpp"
+#include "ui/base/commands/commands.hpp"
 #include "ui/window/result_export.hpp"
 
 namespace footfall::ui {

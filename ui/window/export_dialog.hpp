@@ -15,8 +15,8 @@
 #include <memory>
 #include <vector>
 
-#include "ui/base/background_queue.hpp"
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/document/export_settings.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/window/plan_choices.hpp"

@@ -6,8 +6,8 @@
 
 #include "core/io/write_targets.hpp"
 #include "footfall/errors.hpp"
-#include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/window/file_dialogs.hpp"
 #include "ui/window/replace_question.hpp"
 

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "footfall/run_context.hpp"
-#include "ui/base/background_queue.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/message_log.hpp"
-#include "ui/base/status_line.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/message_log.hpp"
+#include "ui/base/messages/status_line.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/level/level_file.hpp"
 
 namespace footfall::ui {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "footfall/filter.hpp"
-#include "ui/base/filter_text.hpp"
+#include "ui/base/text/filter_text.hpp"
 #include "ui/document/document.hpp"
 #include "ui/filters/filter_list.hpp"
 

@@ -6,9 +6,9 @@
 
 #include "core/io/import.hpp"
 #include "footfall/errors.hpp"
-#include "ui/base/core_text.hpp"
-#include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/window/file_dialogs.hpp"
 #include "ui/window/session.hpp"
 

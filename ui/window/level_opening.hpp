@@ -9,10 +9,10 @@
 #include <optional>
 #include <string>
 
-#include "ui/base/message_bar.hpp"
-#include "ui/base/recent_files.hpp"
-#include "ui/base/session_sections.hpp"
-#include "ui/base/status_line.hpp"
+#include "ui/base/files/recent_files.hpp"
+#include "ui/base/files/session_sections.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/cells/cells_feature.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/level_composer.hpp"

@@ -4,8 +4,8 @@
 #include <QFileInfo>
 
 #include "core/io/export.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/window/file_dialogs.hpp"
 
 namespace footfall::ui {

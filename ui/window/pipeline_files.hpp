@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QString>
 
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/document/document.hpp"
 #include "ui/window/file_writer.hpp"
 

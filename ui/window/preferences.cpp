@@ -10,8 +10,8 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "ui/base/theme.hpp"
-#include "ui/base/translations.hpp"
+#include "ui/base/commands/translations.hpp"
+#include "ui/base/look/theme.hpp"
 
 namespace footfall::ui {
 namespace {

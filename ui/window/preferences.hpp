@@ -10,9 +10,9 @@
 #include <QTabWidget>
 #include <QTreeWidget>
 
-#include "ui/base/commands.hpp"
-#include "ui/base/unit_choice.hpp"
-#include "ui/base/user_keys.hpp"
+#include "ui/base/commands/commands.hpp"
+#include "ui/base/commands/user_keys.hpp"
+#include "ui/base/text/unit_choice.hpp"
 #include "ui/run/run_threads.hpp"
 
 namespace footfall::ui {

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/base/message_bar.hpp"
-#include "ui/base/message_log.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/message_log.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/export_settings.hpp"
 #include "ui/level/view_modes.hpp"

@@ -5,9 +5,9 @@
 
 #include "core/io/export.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/filter_text.hpp"
-#include "ui/base/localized_numbers.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/filter_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/window/file_dialogs.hpp"
 
 namespace footfall::ui {

@@ -4,8 +4,8 @@
 
 #include <QObject>
 
-#include "ui/base/log_panel.hpp"
-#include "ui/base/message_log.hpp"
+#include "ui/base/messages/log_panel.hpp"
+#include "ui/base/messages/message_log.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/run/run_controller.hpp"

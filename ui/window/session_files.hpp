@@ -8,9 +8,9 @@
 #include <functional>
 #include <optional>
 
-#include "ui/base/message_bar.hpp"
-#include "ui/base/recent_files.hpp"
-#include "ui/base/session_sections.hpp"
+#include "ui/base/files/recent_files.hpp"
+#include "ui/base/files/session_sections.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/cells/cells_feature.hpp"
 #include "ui/document/document.hpp"
 #include "ui/view/level_view.hpp"

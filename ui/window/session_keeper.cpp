@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "core/io/export.hpp"
-#include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/window/file_dialogs.hpp"
 #include "ui/window/session_history.hpp"
 

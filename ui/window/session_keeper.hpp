@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/document/document.hpp"
 #include "ui/window/session.hpp"
 

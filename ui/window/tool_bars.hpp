@@ -5,8 +5,8 @@
 #include <QMainWindow>
 #include <QObject>
 
-#include "ui/base/command_bar.hpp"
-#include "ui/base/commands.hpp"
+#include "ui/base/commands/command_bar.hpp"
+#include "ui/base/commands/commands.hpp"
 
 namespace footfall::ui {
 

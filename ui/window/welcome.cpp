@@ -5,7 +5,7 @@
 #include <QEvent>
 #include <QFileInfo>
 
-#include "ui/base/installed_files.hpp"
+#include "ui/base/files/installed_files.hpp"
 
 namespace footfall::ui {
 

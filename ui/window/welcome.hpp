@@ -4,8 +4,8 @@
 
 #include <QObject>
 
-#include "ui/base/commands.hpp"
-#include "ui/base/recent_files.hpp"
+#include "ui/base/commands/commands.hpp"
+#include "ui/base/files/recent_files.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/window/level_opening.hpp"
 #include "ui/window/session_files.hpp"

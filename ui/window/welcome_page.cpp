@@ -13,7 +13,7 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "ui/base/icon.hpp"
+#include "ui/base/look/icon.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -5,7 +5,7 @@
 #include <QObject>
 #include <QWidget>
 
-#include "ui/base/status_line.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/document/document.hpp"
 #include "ui/window/file_writer.hpp"
 #include "ui/window/result_export.hpp"

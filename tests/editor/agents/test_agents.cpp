@@ -6,7 +6,7 @@
 #include "tests/editor/window_parts.hpp"
 #include "ui/agents/agent_edits.hpp"
 #include "ui/agents/agents_panel.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/level/import_panel.hpp"
 
 using namespace footfall;

@@ -14,9 +14,9 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/focus_ring.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/look/theme.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/widgets/focus_ring.hpp"
 #include "ui/window/welcome_page.hpp"
 
 using namespace footfall;

@@ -5,7 +5,7 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "ui/base/icon.hpp"
+#include "ui/base/look/icon.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

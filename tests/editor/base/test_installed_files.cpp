@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QtTest>
 
-#include "ui/base/installed_files.hpp"
+#include "ui/base/files/installed_files.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

@@ -5,11 +5,11 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/frame_watchdog.hpp"
-#include "ui/base/log_panel.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/message_log.hpp"
-#include "ui/base/progress_display.hpp"
+#include "ui/base/messages/log_panel.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/message_log.hpp"
+#include "ui/base/messages/progress_display.hpp"
+#include "ui/base/work/frame_watchdog.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

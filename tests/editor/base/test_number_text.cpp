@@ -3,7 +3,7 @@
 #include <QtTest>
 #include <limits>
 
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

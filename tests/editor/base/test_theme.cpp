@@ -8,8 +8,8 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/system_colours.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/look/system_colours.hpp"
+#include "ui/base/look/theme.hpp"
 #include "ui/level/import_panel.hpp"
 #include "ui/view/scene/appearance.hpp"
 

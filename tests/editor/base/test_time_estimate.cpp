@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/base/time_estimate.hpp"
+#include "ui/base/work/time_estimate.hpp"
 
 using namespace footfall;
 using namespace footfall::ui;

@@ -18,9 +18,9 @@
 
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agents_panel.hpp"
-#include "ui/base/command_palette.hpp"
-#include "ui/base/panel_dock.hpp"
-#include "ui/base/translations.hpp"
+#include "ui/base/commands/command_palette.hpp"
+#include "ui/base/commands/translations.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;

@@ -10,9 +10,9 @@
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "ui/agents/agent_edits.hpp"
-#include "ui/base/background_queue.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/time_estimate.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/work/background_queue.hpp"
+#include "ui/base/work/time_estimate.hpp"
 #include "ui/filters/filter_edits.hpp"
 
 using namespace footfall;

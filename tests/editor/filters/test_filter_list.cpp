@@ -6,7 +6,7 @@
 #include "footfall/filter.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/level/import_panel.hpp"
 #include "ui/run/stale_badge.hpp"

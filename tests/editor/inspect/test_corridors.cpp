@@ -11,7 +11,7 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 #include "ui/inspect/corridors/corridor_lines.hpp"
 #include "ui/inspect/corridors/corridors_feature.hpp"

@@ -8,7 +8,7 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/inspect/compare_feature.hpp"
 #include "ui/view/widgets/legend.hpp"
 

@@ -7,7 +7,7 @@
 #include "footfall/edit.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/level/environment_tools.hpp"
 #include "ui/level/import_panel.hpp"
 

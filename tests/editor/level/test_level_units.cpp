@@ -4,8 +4,8 @@
 
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
-#include "ui/base/level_units.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/level_units.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/document/document.hpp"
 #include "ui/level/scale_question.hpp"
 

@@ -9,8 +9,8 @@
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "tests/unit/first_packed_version.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/status_line.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/level/packed_feature.hpp"
 
 using namespace footfall;

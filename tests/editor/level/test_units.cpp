@@ -7,7 +7,7 @@
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/inspect/inspection_feature.hpp"
 #include "ui/inspect/measure_panel.hpp"

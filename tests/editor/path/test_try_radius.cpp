@@ -10,7 +10,7 @@
 #include "footfall/filter.hpp"
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
-#include "ui/base/translations.hpp"
+#include "ui/base/commands/translations.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 #include "ui/path/path_feature.hpp"
 

@@ -6,8 +6,8 @@
 #include "footfall/filter_type.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/status_line.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/path/path_feature.hpp"
 
 using namespace footfall;

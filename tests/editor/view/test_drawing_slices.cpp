@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/base/frame_watchdog.hpp"
+#include "ui/base/work/frame_watchdog.hpp"
 #include "ui/level/level_look.hpp"
 #include "ui/run/provisional_content.hpp"
 #include "ui/view/scene/appearance.hpp"

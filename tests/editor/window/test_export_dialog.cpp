@@ -17,7 +17,7 @@
 #include "footfall/up_axis.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/window/export_dialog.hpp"
 
 using namespace footfall;

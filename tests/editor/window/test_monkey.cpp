@@ -29,8 +29,8 @@
 #include "footfall/report.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/frame_watchdog.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/work/frame_watchdog.hpp"
 #include "ui/filters/filter_list.hpp"
 
 using namespace footfall;

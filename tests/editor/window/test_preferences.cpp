@@ -4,7 +4,7 @@
 #include <QSettings>
 
 #include "tests/editor/editor_driver.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/look/theme.hpp"
 #include "ui/window/preferences.hpp"
 
 using namespace footfall;

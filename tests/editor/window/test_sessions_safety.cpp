@@ -13,7 +13,7 @@
 #include "core/io/export.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
-#include "ui/base/message_bar.hpp"
+#include "ui/base/messages/message_bar.hpp"
 #include "ui/window/session_keeper.hpp"
 
 using namespace footfall;

@@ -17,7 +17,7 @@
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "tests/support/soup.hpp"
-#include "ui/base/command_palette.hpp"
+#include "ui/base/commands/command_palette.hpp"
 #include "ui/filters/filter_list.hpp"
 #include "ui/inspect/corridors/corridors_feature.hpp"
 #include "ui/inspect/inspection_feature.hpp"

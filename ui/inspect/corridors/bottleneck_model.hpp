@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/inspect/corridors/corridor_watch.hpp"
 
 namespace footfall::ui {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 
 namespace footfall::ui {
 

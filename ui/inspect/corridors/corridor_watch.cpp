@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/worker_arena.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/run/without_radius.hpp"
 
 namespace footfall::ui {

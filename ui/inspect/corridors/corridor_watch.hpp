@@ -6,7 +6,7 @@
 #include <QString>
 #include <memory>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/inspect/corridors/corridor_lines.hpp"
 #include "ui/run/run_controller.hpp"
 

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "ui/base/core_colours.hpp"
-#include "ui/base/panel_dock.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/widgets/panel_dock.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 #include "ui/inspect/corridors/dimension_line.hpp"
 #include "ui/run/without_radius.hpp"

@@ -10,10 +10,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "ui/base/counted_noun.hpp"
-#include "ui/base/list_table.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/positive_number.hpp"
+#include "ui/base/text/counted_noun.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/list_table.hpp"
+#include "ui/base/widgets/positive_number.hpp"
 #include "ui/inspect/corridors/corridor_colours.hpp"
 
 namespace footfall::ui {

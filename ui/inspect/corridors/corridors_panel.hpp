@@ -8,7 +8,7 @@
 #include <QTableView>
 #include <QWidget>
 
-#include "ui/base/number_field.hpp"
+#include "ui/base/widgets/number_field.hpp"
 #include "ui/inspect/corridors/bottleneck_model.hpp"
 
 namespace footfall::ui {

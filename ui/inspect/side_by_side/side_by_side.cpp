@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
-#include "ui/base/core_text.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/filters/pipeline_presets.hpp"
 
 namespace footfall::ui {

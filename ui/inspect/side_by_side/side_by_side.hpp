@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/document/document.hpp"
 #include "ui/inspect/side_by_side/linked_view.hpp"
 #include "ui/inspect/side_by_side/side_by_side_bar.hpp"

@@ -5,8 +5,8 @@
 #include <QHBoxLayout>
 #include <cmath>
 
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {

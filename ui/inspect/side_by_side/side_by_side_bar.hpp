@@ -11,7 +11,7 @@
 #include <optional>
 
 #include "ui/agents/agent_results.hpp"
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 
 namespace footfall::ui {
 

@@ -7,9 +7,9 @@
 #include <array>
 #include <cmath>
 
-#include "ui/base/flow_layout.hpp"
-#include "ui/base/icon.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/look/icon.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/widgets/flow_layout.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/vector.hpp"
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 #include "ui/base/namespaces.hpp"
 #include "ui/view/steering/eye_pose.hpp"
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/vector.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/text/core_text.hpp"
 #include "ui/path/walk/walk_track.hpp"
 
 namespace footfall::ui {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "footfall/path.hpp"
-#include "ui/base/latest_work.hpp"
+#include "ui/base/work/latest_work.hpp"
 #include "ui/path/path_model.hpp"
 #include "ui/path/walk/ground_walk.hpp"
 #include "ui/path/walk/walk_figure.hpp"

@@ -11,7 +11,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/level_view.hpp"
 
 namespace footfall::ui {

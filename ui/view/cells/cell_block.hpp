@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "footfall/statistics.hpp"
-#include "ui/base/processor_use.hpp"
+#include "ui/base/work/processor_use.hpp"
 
 namespace footfall::ui {
 

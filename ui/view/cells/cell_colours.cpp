@@ -6,9 +6,9 @@
 #include <map>
 #include <utility>
 
-#include "ui/base/core_colours.hpp"
-#include "ui/base/localized_numbers.hpp"
-#include "ui/base/translated.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/text/localized_numbers.hpp"
+#include "ui/base/text/translated.hpp"
 
 namespace footfall::ui {
 namespace {

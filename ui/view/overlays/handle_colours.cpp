@@ -4,7 +4,7 @@
 #include <array>
 #include <cstddef>
 
-#include "ui/base/core_colours.hpp"
+#include "ui/base/look/core_colours.hpp"
 
 namespace footfall::ui {
 

@@ -9,10 +9,10 @@
 
 #include "core/filters/filter_traits.hpp"
 #include "footfall/filter.hpp"
-#include "ui/base/core_colours.hpp"
-#include "ui/base/core_text.hpp"
+#include "ui/base/look/core_colours.hpp"
+#include "ui/base/look/theme.hpp"
 #include "ui/base/namespaces.hpp"
-#include "ui/base/theme.hpp"
+#include "ui/base/text/core_text.hpp"
 
 namespace footfall::ui {
 namespace {

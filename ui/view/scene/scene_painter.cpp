@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "ui/base/theme.hpp"
+#include "ui/base/look/theme.hpp"
 #include "ui/view/scene/appearance.hpp"
 
 namespace footfall::ui {

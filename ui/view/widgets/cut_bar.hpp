@@ -8,7 +8,7 @@
 #include <QToolButton>
 #include <optional>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/level_view.hpp"
 
 namespace footfall::ui {

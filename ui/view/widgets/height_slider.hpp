@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/scene/scene_picker.hpp"
 
 namespace footfall::ui {

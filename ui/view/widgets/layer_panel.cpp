@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/base/core_text.hpp"
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/core_text.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

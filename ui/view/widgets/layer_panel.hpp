@@ -11,7 +11,7 @@
 #include <optional>
 #include <set>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "ui/base/level_units.hpp"
+#include "ui/base/text/level_units.hpp"
 #include "ui/view/geometry/field_geometry.hpp"
 #include "ui/view/geometry/render_geometry.hpp"
 #include "ui/view/scene/scene_renderer.hpp"

@@ -6,8 +6,8 @@
 #include <QTimer>
 #include <functional>
 
-#include "ui/base/background_queue.hpp"
-#include "ui/base/recent_files.hpp"
+#include "ui/base/files/recent_files.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/level_view.hpp"
 #include "ui/window/recent/recent_pictures.hpp"

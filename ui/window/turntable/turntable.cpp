@@ -11,8 +11,8 @@
 #include "core/base/vector.hpp"
 #include "core/io/export.hpp"
 #include "footfall/errors.hpp"
-#include "ui/base/guarded_application.hpp"
 #include "ui/base/namespaces.hpp"
+#include "ui/base/work/guarded_application.hpp"
 #include "ui/window/file_dialogs.hpp"
 #include "ui/window/turntable/turntable_poses.hpp"
 

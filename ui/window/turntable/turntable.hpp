@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/base/background_queue.hpp"
+#include "ui/base/work/background_queue.hpp"
 #include "ui/run/run_controller.hpp"
 #include "ui/view/level_view.hpp"
 

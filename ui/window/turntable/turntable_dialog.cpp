@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 #include <array>
 
-#include "ui/base/localized_numbers.hpp"
+#include "ui/base/text/localized_numbers.hpp"
 
 namespace footfall::ui {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <QObject>
 
-#include "ui/base/commands.hpp"
-#include "ui/base/message_bar.hpp"
-#include "ui/base/message_log.hpp"
-#include "ui/base/status_line.hpp"
+#include "ui/base/commands/commands.hpp"
+#include "ui/base/messages/message_bar.hpp"
+#include "ui/base/messages/message_log.hpp"
+#include "ui/base/messages/status_line.hpp"
 #include "ui/level/level_file.hpp"
 #include "ui/window/turntable/turntable.hpp"
 
