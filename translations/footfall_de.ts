@@ -7308,8 +7308,8 @@ Material: %2</translation>
         <translation>Den schmalsten Durchgang des Wegs ins Bild holen</translation>
     </message>
     <message>
-        <source>Bring the nearest place with enough room into sight</source>
-        <translation>Den nächsten Ort mit genug Platz ins Bild holen</translation>
+        <source>Bring a place with enough room into sight</source>
+        <translation>Einen Ort mit genug Platz ins Bild holen</translation>
     </message>
     <message>
         <source>%1, %2 too narrow</source>
@@ -7516,8 +7516,8 @@ Material: %2</translation>
         <translation>%1 Sprünge, nur hinab, der tiefste %2</translation>
     </message>
     <message>
-        <source>The nearest place with enough room is at %1.</source>
-        <translation>Der nächste Ort mit genug Platz ist bei %1.</translation>
+        <source>A place with enough room is at %1.</source>
+        <translation>Ein Ort mit genug Platz ist bei %1.</translation>
     </message>
     <message>
         <source>No place around it has enough room.</source>

@@ -49,7 +49,7 @@ void PassageView::update() {
   if (path) {
     setText(path->narrowest ? tr("Show the &passage") : tr("Show the &place"));
     setToolTip(path->narrowest ? tr("Bring the narrowest passage of the way into sight")
-                               : tr("Bring the nearest place with enough room into sight"));
+                               : tr("Bring a place with enough room into sight"));
   }
   if (!shown_ || !bounds()) return view_.removeOverlay(kPassageOverlay);
   ViewOverlay overlay;

@@ -12,7 +12,7 @@
 namespace footfall::ui {
 
 /// The button; hidden while there is no such place. Where the start or the target has too little room, the place is
-/// the nearest one that has enough.
+/// one that has enough.
 class PassageView : public QPushButton {
   Q_OBJECT
 

@@ -56,9 +56,9 @@ QString failureText(const PathResult& result, const LevelUnits& units) {
 
 QString bodyFailureText(const BodyPath& path, const LevelUnits& units) {
   const QString lacking = units.length(path.lacking);
-  const QString room =
-      path.admissible ? PathText::tr("The nearest place with enough room is at %1.").arg(units.place(*path.admissible))
-                      : PathText::tr("No place around it has enough room.");
+  const QString room = path.admissible
+                           ? PathText::tr("A place with enough room is at %1.").arg(units.place(*path.admissible))
+                           : PathText::tr("No place around it has enough room.");
   switch (path.status) {
     case BodyPathStatus::Found:
       return {};

@@ -151,8 +151,8 @@ class TestTryRadius : public EditorSuite {
     type("0.3");
     QTRY_VERIFY(model().bodyPath());
     QCOMPARE(model().bodyPath()->status, BodyPathStatus::StartTooNear);
-    QCOMPARE(text("rowError"), QString("The start is 0.1 units from the border, 0.2 units less than the radius. The "
-                                       "nearest place with enough room is at x 0.3, y 2, z 0 units."));
+    QCOMPARE(text("rowError"), QString("The start is 0.1 units from the border, 0.2 units less than the radius. A "
+                                       "place with enough room is at x 0.3, y 2, z 0 units."));
     QTRY_VERIFY(button()->isVisible());
     QCOMPARE(button()->text().remove('&'), QString("Show the place"));
   }
