@@ -8,6 +8,7 @@
 
 #include "core/base/background_release.hpp"
 #include "tests/bench/cancel_measurement.hpp"
+#include "tests/bench/edit_measurement.hpp"
 #include "tests/bench/export_measurement.hpp"
 #include "tests/bench/generated_levels.hpp"
 #include "tests/bench/live_measurement.hpp"
@@ -50,7 +51,7 @@ class Benchmark {
     results["threads"] = options_.threads;
     results["runs"] = options_.repetition.runs;
     results["environments"] = Json::array();
-    for (const char* part : {"growth", "cancelling", "live", "exports", "reach", "paths", "scenes", "turned"})
+    for (const char* part : {"growth", "cancelling", "live", "exports", "reach", "paths", "crates", "scenes", "turned"})
       results[part] = Json::array();
     if (options_.scenes) {
       results.update(measureScenes(options_));
@@ -59,6 +60,11 @@ class Benchmark {
     if (options_.paths.pairs > 0) {
       for (const Subject& subject : options_.given) results["paths"].push_back(measureThePaths(subject, "given"));
       for (const Subject& subject : options_.samples) results["paths"].push_back(measureThePaths(subject, "sample"));
+      return results;
+    }
+    if (options_.crateEdits > 0) {
+      for (const Subject& subject : options_.given) addCrates(subject, "given", results["crates"]);
+      for (const Subject& subject : options_.samples) addCrates(subject, "sample", results["crates"]);
       return results;
     }
     if (options_.reach) {
@@ -115,6 +121,18 @@ class Benchmark {
     entry.update(
         runIsolated([&] { return measurePaths(subject, asked, options_.threads.back()); }, {options_.limits.time, 0}));
     return entry;
+  }
+
+  void addCrates(const Subject& subject, const char* group, Json& entries) const {
+    for (const double radius : {0.0, 0.3}) {
+      const std::string name = subject.name + (radius > 0 ? ", radius 0.3" : "");
+      tell(name, "moves of a crate");
+      Json entry{{"name", name}, {"group", group}};
+      entry.update(
+          runIsolated([&] { return measureCrate(subject, radius, options_.threads.back(), options_.crateEdits); },
+                      {options_.limits.time, 0}));
+      entries.push_back(std::move(entry));
+    }
   }
 
   Json measure(const Subject& subject, const char* group) {

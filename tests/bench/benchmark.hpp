@@ -18,6 +18,7 @@ struct BenchmarkOptions {
   int cancelMoments = 0;               ///< moments for each file, and with `growth` for the largest generated
                                        ///< environments
   bool live = false;                   ///< edits of each environment too, and of a generated terrain
+  int crateEdits = 0;                  ///< measure so many moves of a crate at each of some places, and nothing else
   std::vector<std::uint32_t> exports;  ///< triangles of meshes that are written in each format
   bool reach = false;                  ///< measure who can reach whom, and nothing else
   double step = 0.4;                   ///< used with `reach`: metres that agents climb at once
@@ -49,6 +50,8 @@ struct BenchmarkOptions {
 ///   says with most threads, and `recast` (of compareReach());
 /// - `paths`: with pairs in BenchmarkOptions::paths, when all others are empty: a list of `name`, `group` and what
 ///   measurePaths() says;
+/// - `crates`: with BenchmarkOptions::crateEdits, when all others are empty: a list of `name`, `group` and what
+///   measureCrate() says with most threads, without and with a radius of 0.3 m;
 /// - `scenes`, `turned`: with BenchmarkOptions::scenes, when all others are empty: what measureScenes() says.
 /// Whatever cannot be measured has `fails` with the reason in the place of its figures.
 Json runBenchmark(const BenchmarkOptions& options);

@@ -151,6 +151,31 @@ if(NOT markdown MATCHES "\\| house \\| 100 \\| ${found} \\| [1-9]")
   message(FATAL_ERROR "the table has no claims that failed: ${markdown}")
 endif()
 
+# Moves of a crate: every step has its time, with a radius and without; the sum is the whole.
+execute_process(COMMAND "${PROGRAM}" "${HOUSE}:2" --crate 1 --json "${SCRATCH}/crate.json" --markdown
+                        "${SCRATCH}/crate.md" RESULT_VARIABLE code)
+if(NOT code EQUAL 0)
+  message(FATAL_ERROR "--crate: exit code ${code}")
+endif()
+file(READ "${SCRATCH}/crate.json" json)
+foreach(entry 0 1)
+  foreach(figure edit_ms start_ms navigation_mesh_ms whole_ms path_finder_ms)
+    string(JSON value GET "${json}" crates ${entry} ${figure})
+    if(NOT value GREATER 0)
+      message(FATAL_ERROR "${figure} of a moved crate is ${value}")
+    endif()
+  endforeach()
+  string(JSON steps LENGTH "${json}" crates ${entry} steps)
+  math(EXPR expected "8 + ${entry}")
+  if(NOT steps EQUAL expected)
+    message(FATAL_ERROR "${steps} steps instead of ${expected}")
+  endif()
+endforeach()
+file(READ "${SCRATCH}/crate.md" markdown)
+if(NOT markdown MATCHES "\\| house, radius 0.3 \\| 820 \\|")
+  message(FATAL_ERROR "the table of moved crates is ${markdown}")
+endif()
+
 # Scenes: what is given, one of each generated kind, and levels that are turned; worst and mean come first.
 execute_process(COMMAND "${PROGRAM}" --scenes --scene-triangles 500 "${HOUSE}:2" --turned "${HOUSE}:2" --runs 1 --seconds 5
                         --json "${SCRATCH}/scenes.json" --markdown "${SCRATCH}/scenes.md" RESULT_VARIABLE code)

@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "tests/bench/edit_measurement.hpp"
 #include "tests/bench/markdown.hpp"
 #include "tests/bench/path_measurement.hpp"
 #include "tests/bench/sampling.hpp"
@@ -19,6 +20,7 @@ class Report {
 
   std::string format() {
     if (!results_["paths"].empty()) return formatPaths(results_);
+    if (!results_["crates"].empty()) return formatCrates(results_);
     if (!results_["reach"].empty()) return reach();
     std::string text = "Footfall " + results_["program"]["version"].get<std::string>() + ", at most " +
                        std::to_string(results_["runs"].get<int>()) + " runs after one warm-up, medians, ms.\n\n";
