@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/assembly/assembly_memory.hpp"
+#include "core/exact/plan_places.hpp"
 
 namespace footfall::detail {
 namespace {
@@ -24,17 +25,6 @@ bool usesLevel(const PlanPoint& point) {
 const std::shared_ptr<const SourceMesh>& withoutPlaces(const PlanKernel& kernel) {
   const auto& mesh = kernel.sharedMesh();
   return mesh->withoutPlaces ? mesh->withoutPlaces : mesh;
-}
-
-// True when a point depends on places of the plan that were added; the numbers of such places are meaningless
-// elsewhere.
-bool usesPlaces(const PlanPoint& point, const SourceMesh& mesh) {
-  const auto count = static_cast<Index>(mesh.vertices.size() - mesh.planPlaces);
-  const auto isAdded = [count](const PlanLine& line) {
-    return line.kind == PlanLine::Edge && (line.a >= count || line.b >= count);
-  };
-  if (point.kind() == PlanPoint::Source) return point.planId() >= count;
-  return point.kind() == PlanPoint::Crossing && (isAdded(point.firstLine()) || isAdded(point.secondLine()));
 }
 
 Box boxAround(const std::vector<Box>& boxes) {
@@ -56,13 +46,18 @@ std::optional<EarlierResult> EarlierResult::relate(const StatePtr& before, const
   const auto& mesh = withoutPlaces(now);
   const auto& meshBefore = withoutPlaces(*before->kernel);
   const bool sameHeights = before->kernel->heights() == now.heights();
-  if (meshBefore == mesh) return EarlierResult(before, nullptr, sameHeights);
-  if (mesh->edit && mesh->edit->base.lock() == meshBefore) return EarlierResult(before, mesh->edit, sameHeights);
+  if (meshBefore == mesh) return EarlierResult(before, nullptr, now, sameHeights);
+  if (mesh->edit && mesh->edit->base.lock() == meshBefore) return EarlierResult(before, mesh->edit, now, sameHeights);
   return std::nullopt;
 }
 
-EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights)
+EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, const PlanKernel& now,
+                             bool sameHeights)
     : before_(std::move(before)), edit_(std::move(edit)), sameHeights_(sameHeights) {
+  const SourceMesh& mesh = before_->kernel->mesh();
+  sourcesBefore_ = static_cast<Index>(mesh.vertices.size() - mesh.planPlaces);
+  hasSameNumbers_ = !edit_ && (mesh.planPlaces == 0 || &mesh == &now.mesh());
+  if (!hasSameNumbers_) placeNow_ = relatePlanPlaces(mesh, now.mesh());
   if (!edit_) return;
   removed_ = boxAround(edit_->removed);
   added_ = boxAround(edit_->added);
@@ -79,20 +74,28 @@ EarlierResult::EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> 
 bool EarlierResult::isSame(const MeshVertex& before, const MeshVertex& now) const {
   if (before.x != now.x || before.y != now.y || before.z != now.z || before.error != now.error) return false;
   if (!sameHeights_ && usesLevel(now.point)) return false;
-  if (usesPlaces(before.point, before_->kernel->mesh())) return false;
-  if (!edit_) return before.point == now.point && before.face == now.face && before.source == now.source;
-  return edit_->triangleOf[before.face] == now.face &&
-         (before.source < 0 ? now.source < 0 : edit_->vertexOf[before.source] == now.source) &&
+  if (hasSameNumbers_) return before.point == now.point && before.face == now.face && before.source == now.source;
+  return faceNow(before.face) == now.face &&
+         (before.source < 0 ? now.source < 0 : vertexNow(before.source) == now.source) &&
          renumbered(before.point) == now.point;
 }
 
 MeshVertex EarlierResult::vertexNow(const MeshVertex& before) const {
   MeshVertex now = before;
-  if (!edit_) return now;
+  if (hasSameNumbers_) return now;
   now.point = renumbered(before.point);
-  now.face = edit_->triangleOf[before.face];
-  if (before.source >= 0) now.source = edit_->vertexOf[before.source];
+  now.face = faceNow(before.face);
+  if (before.source >= 0) now.source = vertexNow(before.source);
   return now;
+}
+
+bool EarlierResult::hasPlaces(const PlanPoint& before) const {
+  if (hasSameNumbers_) return true;
+  const auto isThere = [this](const PlanLine& line) {
+    return line.kind != PlanLine::Edge || (planNow(line.a) >= 0 && planNow(line.b) >= 0);
+  };
+  if (before.kind() == PlanPoint::Source) return planNow(before.planId()) >= 0;
+  return before.kind() != PlanPoint::Crossing || (isThere(before.firstLine()) && isThere(before.secondLine()));
 }
 
 bool EarlierResult::hasSameLines(Index face, const CutTable& now) const {
@@ -100,15 +103,14 @@ bool EarlierResult::hasSameLines(Index face, const CutTable& now) const {
   if (before < 0) return false;
   const auto &then = (*before_->cuts)[before].lines, &lines = now[face].lines;
   return std::equal(then.begin(), then.end(), lines.begin(), lines.end(),
-                    [&](const PlanLine& a, const PlanLine& b) { return (edit_ ? renumbered(a) : a) == b; });
+                    [&](const PlanLine& a, const PlanLine& b) { return renumbered(a) == b; });
 }
 
 bool EarlierResult::hasSameCuts(Index face, const CutTable& now) const {
   if (!hasSameLines(face, now)) return false;
   const FaceCuts &then = (*before_->cuts)[faceBefore(face)], &cuts = now[face];
   const auto isSamePoint = [&](const PlanPoint& a, const PlanPoint& b) {
-    if (usesPlaces(a, before_->kernel->mesh()) || (!sameHeights_ && usesLevel(a))) return false;
-    return (edit_ ? renumbered(a) : a) == b;
+    return (sameHeights_ || !usesLevel(a)) && renumbered(a) == b;
   };
   const auto isSameSegment = [](const CutSegment& a, const CutSegment& b) {
     return a.from == b.from && a.to == b.to && a.line == b.line && a.direction == b.direction &&
@@ -143,31 +145,33 @@ bool EarlierResult::isTouched(const Box& box) const {
 }
 
 PlanLine EarlierResult::renumbered(PlanLine line) const {
+  if (hasSameNumbers_) return line;
   if (line.kind == PlanLine::Edge) {
-    line.a = edit_->planOf[line.a];
-    line.b = edit_->planOf[line.b];
-  } else {
-    line.a = edit_->triangleOf[line.a];
+    line.a = planNow(line.a);
+    line.b = planNow(line.b);
+  } else if (line.kind == PlanLine::Trace) {
+    line.a = faceNow(line.a);
   }
   return line;
 }
 
 PlanPoint EarlierResult::renumbered(const PlanPoint& point) const {
+  if (hasSameNumbers_) return point;
   switch (point.kind()) {
     case PlanPoint::Source:
-      return PlanPoint::source(edit_->planOf[point.planId()]);
+      return PlanPoint::source(planNow(point.planId()));
     case PlanPoint::EdgePlane:
-      return PlanPoint::edgePlane(edit_->vertexOf[point.edgeBegin()], edit_->vertexOf[point.edgeEnd()],
-                                  edit_->triangleOf[point.triangle()], point.level());
+      return PlanPoint::edgePlane(vertexNow(point.edgeBegin()), vertexNow(point.edgeEnd()), faceNow(point.triangle()),
+                                  point.level());
     default:
       return PlanPoint::crossing(renumbered(point.firstLine()), renumbered(point.secondLine()),
-                                 point.face() >= 0 ? edit_->triangleOf[point.face()] : -1);
+                                 point.face() >= 0 ? faceNow(point.face()) : -1);
   }
 }
 
 std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->cuts->shared(faceBefore);
-  if (!edit_ || !shared) return shared;
+  if (hasSameNumbers_ || !shared) return shared;
   FaceCuts* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);
@@ -176,7 +180,7 @@ std::shared_ptr<const FaceCuts> EarlierResult::cuts(Index faceBefore, const Copy
 
 std::shared_ptr<const FaceMesh> EarlierResult::mesh(Index faceBefore, const CopyMemory& memory) const {
   const auto& shared = before_->memory->meshes[faceBefore];
-  if (!edit_ || !shared) return shared;
+  if (hasSameNumbers_ || !shared) return shared;
   FaceMesh* const result = copyInto(memory, *shared);
   for (PlanPoint& p : result->points) p = renumbered(p);
   for (PlanLine& l : result->lines) l = renumbered(l);

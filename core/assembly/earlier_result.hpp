@@ -35,6 +35,8 @@ class EarlierResult {
   [[nodiscard]] bool sameHeights() const { return sameHeights_; }
   /// An earlier vertex of a mesh, in numbers of the present one: what it was made of must still be there.
   [[nodiscard]] MeshVertex vertexNow(const MeshVertex& before) const;
+  /// True when the places of the plan that a point was made of are still there.
+  [[nodiscard]] bool hasPlaces(const PlanPoint& before) const;
   /// True when the lines that cut a face are those of the earlier state, in the same order. Both have cuts.
   [[nodiscard]] bool hasSameLines(Index face, const CutTable& now) const;
   /// True when all of a face's cuts are those of the earlier state. Both have cuts.
@@ -58,13 +60,22 @@ class EarlierResult {
   [[nodiscard]] const std::vector<Index>& added() const;
 
  private:
-  EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, bool sameHeights);
+  EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, const PlanKernel& now, bool sameHeights);
+  /// The number of a source vertex, and of a plan id, in the present mesh, or -1.
+  [[nodiscard]] Index vertexNow(Index before) const { return edit_ ? edit_->vertexOf[before] : before; }
+  [[nodiscard]] Index planNow(Index before) const {
+    if (before >= sourcesBefore_) return placeNow_[before - sourcesBefore_];
+    return edit_ ? edit_->planOf[before] : before;
+  }
   [[nodiscard]] PlanPoint renumbered(const PlanPoint& point) const;
   [[nodiscard]] PlanLine renumbered(PlanLine line) const;
 
   StatePtr before_;
   std::shared_ptr<const SourceEdit> edit_;    ///< null: the same mesh
   bool sameHeights_;                          ///< levels mean what they meant
+  bool hasSameNumbers_ = true;                ///< of vertices, triangles and places of the plan
+  Index sourcesBefore_ = 0;                   ///< vertices of the earlier mesh that are no added places
+  std::vector<Index> placeNow_;               ///< number now of each place that was added to the earlier mesh, or -1
   Box removed_, added_;                       ///< around all that went and came
   std::shared_ptr<const TriangleTree> tree_;  ///< tree over both, if there are many
 };

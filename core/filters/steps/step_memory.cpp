@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/mesh_relation.hpp"
@@ -68,6 +69,12 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
     last = number;
     numberBefore_[i] = number;
     numberNow[number] = static_cast<Index>(i);
+  }
+  // A stretch may end at a place of the plan that is no longer there.
+  for (const StepStretch& s : before.found.stretches) {
+    if (earlier.hasPlaces(s.begin.point) && earlier.hasPlaces(s.end.point)) continue;
+    for (const Index number : {s.first, s.second})
+      if (const Index now = std::exchange(numberNow[number], -1); now >= 0) numberBefore_[now] = -1;
   }
   const auto isKept = [&](Index first, Index second) { return numberNow[first] >= 0 && numberNow[second] >= 0; };
   for (const StepStretch& s : before.found.stretches)

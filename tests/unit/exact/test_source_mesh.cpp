@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "core/base/lexicographic_order.hpp"
+#include "core/exact/plan_places.hpp"
 #include "core/exact/source_mesh.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "tests/support/run_with_threads.hpp"
@@ -172,6 +173,26 @@ class TestSourceMesh : public QObject {
       QVERIFY(mesh.facing == plain.facing);
       QVERIFY(std::all_of(mesh.facing.begin(), mesh.facing.end(), [](auto f) { return f >= 0; }));
     }
+  }
+
+  // Places of the plan are known again by where they are; those that changed their order are not.
+  void placesAreRelated() {
+    const TriangleSoup soup{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}, {{0, 1, 2}}};
+    const SourceMesh plain = makeSourceMesh(soup, false);
+    const double scale = std::ldexp(1, plain.grid.scaleExponent());
+    const auto withPlaces = [&](const std::vector<double>& places) {
+      SourceMesh mesh = plain;
+      std::vector<Vec3> scaled;
+      for (const double x : places) scaled.push_back({x * scale, scale, 0});
+      addPlanPlaces(mesh, scaled);
+      return mesh;
+    };
+    const SourceMesh before = withPlaces({1, 2, 0.5, 3, 2.5});
+    QCOMPARE(relatePlanPlaces(before, before), (std::vector<Index>{3, 4, 5, 6, 7}));
+    QCOMPARE(relatePlanPlaces(before, withPlaces({1, 7, 2, 3, 8})), (std::vector<Index>{3, 5, -1, 6, -1}));
+    QCOMPARE(relatePlanPlaces(before, withPlaces({3, 1, 2, 0.5, 2.5})), (std::vector<Index>{4, 5, 6, -1, 7}));
+    QCOMPARE(relatePlanPlaces(before, withPlaces({})), (std::vector<Index>(5, -1)));
+    QVERIFY(relatePlanPlaces(plain, before).empty());
   }
 
   // Also within the sorts: there are many more polls than stages.
