@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/base/index_and_box.hpp"
+#include "core/exact/plan_predicates.hpp"
 #include "core/mesh/lifted_vertex.hpp"
 #include "core/mesh/triangle_split.hpp"
 
@@ -120,8 +121,12 @@ std::vector<KnownLine> BorderSplits::linesOf(const MeshBorder& border, MeshGeome
   if (!lines.empty() || !state_.cuts) return lines;
   const PlanPoint &a = vertex(border.from).point, &b = vertex(border.to).point;
   const Index origin = kernel_->mesh().triangles[border.face][0];
+  // Giant floors have hundreds of lines, nearly all of them far away.
+  const Homogeneous<ErrorDouble> place = kernel_->homogeneous(a, origin);
   for (const PlanLine& line : (*state_.cuts)[border.face].lines) {
     const Index face = line.kind == PlanLine::Trace ? border.face : -1;
+    const MaybeSign sign = kernel_->sign()(lineAtPoint<ErrorDouble>(kernel_->coefficients(line, face, origin), place));
+    if (sign && *sign != 0) continue;
     const auto isOn = [&](const PlanPoint& p) { return kernel_->side(line, face, p, origin, geometry.fallbacks) == 0; };
     if (isOn(a) && isOn(b)) lines.push_back({line, face});
   }

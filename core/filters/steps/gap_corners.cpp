@@ -203,7 +203,11 @@ void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretc
 
 /// Moves the chosen gaps from one list to another, in their order.
 void moveChosen(std::vector<GapStretch>& from, const std::vector<char>& isChosen, std::vector<GapStretch>& to) {
+  const auto count = static_cast<std::size_t>(std::count(isChosen.begin(), isChosen.end(), 1));
+  if (count == 0) return;
   std::vector<GapStretch> kept;
+  kept.reserve(from.size() - count);
+  to.reserve(to.size() + count);
   for (std::size_t i = 0; i < from.size(); ++i) (isChosen[i] != 0 ? to : kept).push_back(std::move(from[i]));
   from = std::move(kept);
 }

@@ -24,6 +24,17 @@ constexpr std::size_t kPolled = 1024;
 /// The most times that left-out ways over gaps are added where other ways could not be proven.
 constexpr int kMostRetries = 8;
 
+/// Sorts findings by their borders, of which the first `known` are sorted; those of one pair stay in their order.
+template <class Finding>
+void sortBehind(std::vector<Finding>& findings, std::size_t known) {
+  const auto isBefore = [](const Finding& a, const Finding& b) {
+    return std::array{a.first, a.second} < std::array{b.first, b.second};
+  };
+  const auto middle = findings.begin() + static_cast<std::ptrdiff_t>(known);
+  std::stable_sort(middle, findings.end(), isBefore);
+  if (known > 0) std::inplace_merge(findings.begin(), middle, findings.end(), isBefore);
+}
+
 }  // namespace
 
 StepLinker::StepLinker(const WalkableState& state, RunContext& context, const std::vector<char>* faces)
@@ -167,6 +178,7 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
     }
   });
   StepFindings all = std::move(known_);
+  const std::size_t knownStretches = all.stretches.size(), knownGaps = all.gaps.size();
   for (Worker& worker : workers) {
     fallbacks_ += worker.geometry.fallbacks;
     append(all.stretches, worker.found.stretches);
@@ -174,11 +186,8 @@ StepFindings StepLinker::findStretches(const Limits& limits, double gap) {
     append(all.undecided, worker.found.undecided);
   }
   context_.checkCancelled();
-  const auto isBefore = [](const auto& a, const auto& b) {
-    return std::array{a.first, a.second} < std::array{b.first, b.second};
-  };
-  std::stable_sort(all.stretches.begin(), all.stretches.end(), isBefore);
-  std::stable_sort(all.gaps.begin(), all.gaps.end(), isBefore);
+  sortBehind(all.stretches, knownStretches);
+  sortBehind(all.gaps, knownGaps);
   std::sort(all.undecided.begin(), all.undecided.end());
   return all;
 }

@@ -77,6 +77,8 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
       if (const Index now = std::exchange(numberNow[number], -1); now >= 0) numberBefore_[now] = -1;
   }
   const auto isKept = [&](Index first, Index second) { return numberNow[first] >= 0 && numberNow[second] >= 0; };
+  known_.stretches.reserve(before.found.stretches.size());
+  known_.gaps.reserve(before.found.gaps.size());
   for (const StepStretch& s : before.found.stretches)
     if (isKept(s.first, s.second))
       known_.stretches.push_back(
