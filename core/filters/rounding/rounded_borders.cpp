@@ -17,6 +17,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kBordersPerTask = 256;
+/// Where at least one border in so many is looked up, all of them are looked up in rows, which takes less.
+constexpr std::size_t kShareOfRows = 3;
 
 using Place = std::tuple<double, double, double>;
 Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
@@ -52,6 +54,23 @@ struct Contacts {
   std::vector<std::pair<Index, Place>> innerEnds;  ///< borders, and ends of others strictly inside them
 };
 
+/// Adds the contacts of two borders.
+void addContacts(const RoundedMesh& mesh, const std::vector<Border>& borders, Index i, Index o, Contacts& contacts) {
+  const Vec3 &v = mesh.vertices[borders[i].from], &w = mesh.vertices[borders[i].to];
+  const Vec3 &a = mesh.vertices[borders[o].from], &b = mesh.vertices[borders[o].to];
+  if (a == w && b == v) {
+    contacts.closed.insert(contacts.closed.end(), {i, o});
+    return;
+  }
+  const double along = (w.x - v.x) * (b.x - a.x) + (w.y - v.y) * (b.y - a.y) + (w.z - v.z) * (b.z - a.z);
+  if (along >= 0 || !isDegenerate(a, b, v) || !isDegenerate(a, b, w)) return;  // only opposite ones meet
+  for (const Vec3* p : {&v, &w})
+    if (isBetween(a, *p, b)) contacts.innerEnds.emplace_back(o, placeOf(*p));
+  for (const Vec3* p : {&a, &b})
+    if (isBetween(v, *p, w)) contacts.innerEnds.emplace_back(i, placeOf(*p));
+}
+
+/// The contacts of borders one of which is a suspect: one of its ends is marked, or no end of any is.
 Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& borders, const std::vector<char>& suspects,
                       RunContext& context) {
   using Tree = BoxTree<3>;
@@ -60,10 +79,14 @@ Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& border
     return Tree::Bounds{{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z)},
                         {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z)}};
   };
+  const auto count = static_cast<Index>(borders.size());
   std::vector<Index> all(borders.size()), queries;
-  for (Index i = 0; i < static_cast<Index>(borders.size()); ++i) {
+  std::vector<char> isQuery(borders.size(), 0);
+  for (Index i = 0; i < count; ++i) {
     all[i] = i;
-    if (suspects.empty() || suspects[borders[i].from] != 0 || suspects[borders[i].to] != 0) queries.push_back(i);
+    if (!suspects.empty() && suspects[borders[i].from] == 0 && suspects[borders[i].to] == 0) continue;
+    queries.push_back(i);
+    isQuery[i] = 1;
   }
   Contacts result;
   if (queries.empty()) return result;
@@ -71,24 +94,24 @@ Contacts findContacts(const RoundedMesh& mesh, const std::vector<Border>& border
   tree.build(all, boundsOf, context);
 
   PerThread<Contacts> locals;
-  parallelRanges(queries.size(), kBordersPerTask, [&](const auto& range) {
+  const bool areMany = queries.size() > borders.size() / kShareOfRows;
+  parallelRanges(areMany ? borders.size() : queries.size(), kBordersPerTask, [&](const auto& range) {
     context.checkCancelled();
     Contacts& local = locals.local();
-    for (std::size_t q = range.begin(); q != range.end(); ++q) {
-      const Index i = queries[q];
-      const Vec3 &v = mesh.vertices[borders[i].from], &w = mesh.vertices[borders[i].to];
-      tree.visitOverlapping(boundsOf(i), [&](Index o) {
-        const Vec3 &a = mesh.vertices[borders[o].from], &b = mesh.vertices[borders[o].to];
-        if (a == w && b == v) {
-          local.closed.insert(local.closed.end(), {i, o});
-          return;
-        }
-        const double along = (w.x - v.x) * (b.x - a.x) + (w.y - v.y) * (b.y - a.y) + (w.z - v.z) * (b.z - a.z);
-        if (along >= 0 || !isDegenerate(a, b, v) || !isDegenerate(a, b, w)) return;  // only opposite ones meet
-        for (const Vec3* p : {&v, &w})
-          if (isBetween(a, *p, b)) local.innerEnds.emplace_back(o, placeOf(*p));
-        for (const Vec3* p : {&a, &b})
-          if (isBetween(v, *p, w)) local.innerEnds.emplace_back(i, placeOf(*p));
+    if (!areMany) {
+      for (std::size_t q = range.begin(); q != range.end(); ++q)
+        tree.visitOverlapping(boundsOf(queries[q]), [&](Index o) { addContacts(mesh, borders, queries[q], o, local); });
+      return;
+    }
+    std::vector<Tree::Bounds> row;
+    const auto end = static_cast<Index>(range.end());
+    for (auto first = static_cast<Index>(range.begin()); first < end; first += Tree::kRow) {
+      row.clear();
+      for (Index place = first; place < std::min(first + Tree::kRow, end); ++place)
+        row.push_back(boundsOf(tree.idAt(place)));
+      tree.visitOverlapping(first, row, [&](Index place, Index o) {
+        const Index own = tree.idAt(place);
+        if (isQuery[own] != 0 || isQuery[o] != 0) addContacts(mesh, borders, own, o, local);
       });
     }
   });
