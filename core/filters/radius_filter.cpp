@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "core/assembly/assembly_memory.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/background_release.hpp"
 #include "core/base/parallel.hpp"
@@ -58,6 +59,7 @@ KernelWithMargins addMargins(const PlanKernel& kernel, const std::vector<Margin>
     result.first.push_back(places.size());
   }
   auto mesh = std::make_shared<SourceMesh>(kernel.mesh());
+  mesh->withoutPlaces = kernel.sharedMesh();
   poll();
   result.planIds = addPlanPlaces(*mesh, places, poll);
   result.kernel = std::make_shared<PlanKernel>(std::move(mesh), kernel.heights());
@@ -113,8 +115,35 @@ struct RadiusWork {
   std::shared_ptr<RadiusMemory> memory;
 };
 
-/// Gives the state its cuts and its mesh.
-void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, ExactFallbacks& fallbacks) {
+/// The floors, ascending, that the earlier state did not have, or not with the same cuts.
+std::vector<Index> changedFloors(const WalkableState& state, const EarlierResult& earlier) {
+  const WalkableState& before = earlier.state();
+  std::vector<Index> changed;
+  for (Index face = 0; face < static_cast<Index>(state.walkable.size()); ++face) {
+    if (state.walkable[face] == 0 || state.cuts->isRemoved(face)) continue;
+    const Index then = earlier.faceBefore(face);
+    const bool wasFloor = then >= 0 && before.walkable[then] != 0 && !before.cuts->isRemoved(then);
+    if (!wasFloor || !earlier.hasSameCuts(face, *state.cuts)) changed.push_back(face);
+  }
+  return changed;
+}
+
+/// Gives the state, which has its cuts, its mesh. `before` is the filter's earlier result; it may be null.
+void joinFloors(RadiusWork& work, const StatePtr& before, const std::shared_ptr<FaceMeshes>& meshes,
+                RunContext& context, ExactFallbacks& fallbacks) {
+  WalkableState& state = *work.state;
+  const auto earlier = before && before->memory ? EarlierResult::relate(before, *state.kernel) : std::nullopt;
+  std::vector<Index> changed;
+  if (earlier) changed = changedFloors(state, *earlier);
+  const auto memory = work.memory ? std::make_shared<AssemblyMemory>() : nullptr;
+  state.mesh = joinFaces(state, earlier ? &*earlier : nullptr, changed, meshes, memory.get(), context, fallbacks);
+  if (memory) memory->meshes = {};  // CutFaces has them
+  state.memory = memory;
+}
+
+/// Gives the state its cuts and its mesh. `earlier` is the filter's earlier result; it may be null.
+void cutOut(RadiusWork& work, const StatePtr& earlier, RunContext& context, ExactFallbacks& fallbacks) {
+  const CutFaces* const before = earlier && earlier->radiusMemory ? &earlier->radiusMemory->cutFaces : nullptr;
   WalkableState& state = *work.state;
   const PlanKernel& kernel = *state.kernel;
   const SourceMesh& source = kernel.mesh();
@@ -125,6 +154,7 @@ void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, Exact
   found.resize(touched.faces.size());
   const std::shared_ptr<const FaceCuts> coveredWhole = wholeCuts();
   PerThread<std::unique_ptr<FaceCutter>> cutters;
+  PerThread<CutCopies> copies;
   PerThread<MarginChoice> choices([&] { return MarginChoice(work.margins); });
   parallelRanges(found.size(), kFacesPerTask, [&](const auto& range) {
     auto& cutter = cutters.local();
@@ -146,7 +176,7 @@ void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, Exact
         polygons[i].emplace_back(work.known.planIds.data() + work.known.first[margin],
                                  work.known.first[margin + 1] - work.known.first[margin]);
       if (before != nullptr) {
-        if (auto again = before->find(kernel, face, polygons[i])) {
+        if (auto again = before->find(kernel, face, polygons[i], copies.local())) {
           found[i] = std::move(*again);
           continue;
         }
@@ -170,7 +200,7 @@ void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, Exact
         work.memory->cutFaces.add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
     }
   }
-  state.mesh = joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);
+  joinFloors(work, earlier, meshes, context, fallbacks);
   work.touched = {};
   polygons = {};
   found = {};
@@ -205,7 +235,8 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
                    ? makeGenerationSoup(*work->simplified, *product, context, outcome.fallbacks,
                                         recall.keep || work->covered.earlier != nullptr ? &work->covered : nullptr)
                    : makeSoupOfFloors(*work->simplified, *product);
-  work->state = std::make_shared<WalkableState>(*startGeneration(*work->simplified, work->soup, context, &work->faces));
+  work->state = std::make_shared<WalkableState>(*startGeneration(*work->simplified, work->soup, context, &work->faces,
+                                                                 before != nullptr ? before->generation : nullptr));
   WalkableState& state = *work->state;
   work->floors = floorsOf(*product, state.kernel->mesh(), work->faces, state.kernel->sign().slack);
   state.mesh = work->floors;
@@ -220,9 +251,10 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   if (recall.keep) {
     work->memory = std::make_shared<RadiusMemory>(*state.kernel);
     work->memory->simplified = work->simplified;
+    work->memory->generation = work->state->kernel->mesh().withoutPlaces;
     work->memory->covered = std::move(work->covered.found);
   }
-  cutOut(*work, before != nullptr ? &before->cutFaces : nullptr, context, outcome.fallbacks);
+  cutOut(*work, recall.before, context, outcome.fallbacks);
   state.radiusMemory = work->memory;
   outcome.state = withLinks(work->state, *work->floors, false, context, outcome.fallbacks);
   if (state.mesh->triangles.empty())

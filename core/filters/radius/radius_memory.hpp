@@ -11,11 +11,12 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/assembly/face_mesh.hpp"
 #include "core/assembly/recall.hpp"
+#include "core/base/copy_memory.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/filters/rounding/generation.hpp"
 
@@ -28,15 +29,17 @@ using PlanPolygons = std::span<const std::span<const Index>>;
 struct CutFace {
   std::array<Vec3, 3> corners;  ///< scaled
   std::uint8_t obstacleEdges = 0;
-  std::vector<Index> sizes;  ///< sizes of the polygons
-  std::vector<Vec3> places;  ///< scaled: the corners of all polygons
-  std::vector<Index> ids;    ///< plan ids: of the face's corners, then of the places
   std::shared_ptr<const FaceCuts> cuts;
   std::shared_ptr<const FaceMesh> mesh;  ///< null where nothing or all is cut away
+  // Starts in the lists of CutFaces, which end where those of the next face begin.
+  std::size_t firstSize = 0, firstPlace = 0, firstId = 0;
 };
 
-struct CutFaceHash {
-  std::size_t operator()(const std::array<Vec3, 3>& corners) const;
+/// The memory that one thread needs to renumber cuts.
+struct CutCopies {
+  CopyMemory memory = makeCopyMemory();
+  std::vector<Index> ids;
+  std::vector<std::pair<Index, Index>> numbers;
 };
 
 /// Faces of one generation.
@@ -53,18 +56,31 @@ class CutFaces {
     std::shared_ptr<const FaceMesh> mesh;
   };
   /// The cuts in numbers of the kernel, whose generation may be another one; nothing if they are unknown.
-  [[nodiscard]] std::optional<Found> find(const PlanKernel& kernel, Index face, PlanPolygons polygons) const;
+  [[nodiscard]] std::optional<Found> find(const PlanKernel& kernel, Index face, PlanPolygons polygons,
+                                          CutCopies& copies) const;
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  [[nodiscard]] std::size_t slotOf(const std::array<Vec3, 3>& corners) const;
+  void growTable();
+  /// True when the polygons are those of a face. `ids` receives the present ids of its corners and of all places.
+  [[nodiscard]] bool hasPolygons(std::size_t number, const SourceMesh& source, Index face, PlanPolygons polygons,
+                                 std::vector<Index>& ids) const;
+
   int scaleExponent_;
   double slack_;
-  std::unordered_map<std::array<Vec3, 3>, CutFace, CutFaceHash> faces_;
+  std::vector<CutFace> faces_;
+  std::vector<Index> sizes_;  ///< of polygons
+  std::vector<Vec3> places_;  ///< scaled: the corners of polygons
+  std::vector<Index> ids_;    ///< plan ids: of a face's corners, then of its places
+  std::vector<Index> slots_;  ///< numbers of faces by the hash of their corners, or -1; a power of two
+  std::size_t ofParts_ = 0;   ///< bytes of cuts and meshes
 };
 
 struct RadiusMemory {
   explicit RadiusMemory(const PlanKernel& kernel) : cutFaces(kernel) {}
-  StatePtr simplified;  ///< area that was narrowed
+  StatePtr simplified;                           ///< area that was narrowed
+  std::shared_ptr<const SourceMesh> generation;  ///< without the margins
   CoveredParts covered;
   CutFaces cutFaces;
 };

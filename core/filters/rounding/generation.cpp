@@ -8,6 +8,7 @@
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/poll.hpp"
+#include "core/exact/mesh_match.hpp"
 #include "core/filters/steps/kept_links.hpp"
 #include "core/mesh/gap_bridges.hpp"
 
@@ -237,13 +238,14 @@ GenerationSoup makeSoupOfFloors(const WalkableState& state, const NavigationMesh
 }
 
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
-                         std::vector<Index>* faces) {
+                         std::vector<Index>* faces, const std::shared_ptr<const SourceMesh>& before) {
   std::vector<std::uint32_t> order;
   SoupView view(soup.vertices, soup.triangles, soup.inputTriangles);
   view.obstacleEdges = soup.obstacleEdges;
   // The scale is the same with obstacles and without.
   view.grid.top = earlier.kernel->mesh().grid.top;
   auto mesh = std::make_shared<SourceMesh>(makeSourceMesh(view, earlier.environment->bothSides, &order, context));
+  if (before) mesh->edit = matchSourceMeshes(before, *mesh, context);
   if (faces != nullptr) {
     faces->resize(order.size());
     for (std::size_t t = 0; t < order.size(); ++t) (*faces)[order[t]] = static_cast<Index>(t);

@@ -57,9 +57,11 @@ GenerationSoup makeGenerationSoup(const WalkableState& state, const NavigationMe
 GenerationSoup makeSoupOfFloors(const WalkableState& state, const NavigationMesh& product);
 
 /// The state that starts from a soup. Floors that are degenerate or do not face up any more are rejected. `faces` (may
-/// be null) receives for each triangle of the soup its number.
+/// be null) receives for each triangle of the soup its number. The mesh is related to `before`, that of an earlier run
+/// (may be null).
 StatePtr startGeneration(const WalkableState& earlier, const GenerationSoup& soup, RunContext& context,
-                         std::vector<Index>* faces = nullptr);
+                         std::vector<Index>* faces = nullptr,
+                         const std::shared_ptr<const SourceMesh>& before = nullptr);
 
 /// The same with its mesh, if the earlier one has one, and the links of the soup's product. Where `isMoved`, the soup's
 /// vertices are no longer the product's: links stay that became neither wider nor higher, and only where nothing is in

@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <random>
 #include <stdexcept>
 
 #include "core/base/lexicographic_order.hpp"
+#include "core/exact/mesh_match.hpp"
 #include "core/exact/plan_places.hpp"
 #include "core/exact/source_mesh.hpp"
 #include "core/exact/source_predicates.hpp"
@@ -193,6 +195,41 @@ class TestSourceMesh : public QObject {
     QCOMPARE(relatePlanPlaces(before, withPlaces({3, 1, 2, 0.5, 2.5})), (std::vector<Index>{4, 5, 6, -1, 7}));
     QCOMPARE(relatePlanPlaces(before, withPlaces({})), (std::vector<Index>(5, -1)));
     QVERIFY(relatePlanPlaces(plain, before).empty());
+  }
+
+  // What two meshes have in common is what an edit of one to the other keeps.
+  void matchesAreEdits() {
+    Random random(11);
+    for (int round = 0; round < 50; ++round) {
+      const TriangleSoup soup = randomSoup(random, Numbers::Decimal, 60);
+      const auto base = std::make_shared<const SourceMesh>(makeSourceMesh(soup, false));
+      TriangleSoup edited = soup;
+      std::vector<std::uint32_t> keptVertices(soup.vertices.size()), keptTriangles;
+      std::iota(keptVertices.begin(), keptVertices.end(), 0U);
+      edited.triangles.clear();
+      for (std::uint32_t t = 0; t < soup.triangles.size(); ++t) {
+        if (random() % 8 == 0) continue;
+        keptTriangles.push_back(t);
+        edited.triangles.push_back(soup.triangles[t]);
+      }
+      const auto first = static_cast<std::uint32_t>(edited.vertices.size());
+      edited.vertices.insert(edited.vertices.end(), {{0.125, 0, 1}, {3.5, 0.25, 1}, {0, 2.75, 1}});
+      edited.triangles.push_back({first, first + 1, first + 2});
+      const auto now = editSourceMesh(base, {edited, keptVertices, keptTriangles}, {});
+      if (!now) continue;  // another scale
+      const auto match = matchSourceMeshes(base, makeSourceMesh(edited, false), {});
+      QVERIFY(match != nullptr);
+      QVERIFY(match->base.lock() == base);
+      const std::vector<std::array<Index, 3>> distinct(now->triangles.begin(), now->triangles.end());
+      if (std::adjacent_find(distinct.begin(), distinct.end()) != distinct.end()) continue;
+      QCOMPARE(match->vertexOf, now->edit->vertexOf);
+      QCOMPARE(match->planOf, now->edit->planOf);
+      QCOMPARE(match->triangleOf, now->edit->triangleOf);
+      QCOMPARE(match->baseOf, now->edit->baseOf);
+      QCOMPARE(match->addedTriangles, now->edit->addedTriangles);
+      QCOMPARE(match->removed.size(), now->edit->removed.size());
+      QCOMPARE(match->added.size(), std::size_t{1});
+    }
   }
 
   // Also within the sorts: there are many more polls than stages.
