@@ -101,6 +101,7 @@ struct RadiusWork {
   using Polygons = std::vector<std::span<const Index>>;
 
   StatePtr simplified;
+  std::shared_ptr<const RoundedPlaces> places;  ///< of the simplified area
   std::shared_ptr<const NavigationMesh> product;
   CoveredRecall covered;
   GenerationSoup soup;
@@ -222,7 +223,9 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
       applySimplification(given, false, 0, {before != nullptr ? before->simplified : nullptr, recall.keep}, context);
   outcome.fallbacks += simplified.fallbacks;
   work->simplified = std::move(simplified.state);
-  const auto product = std::make_shared<NavigationMesh>(*makeNavigationMesh(work->simplified, context));
+  const KnownPlaces known = before != nullptr ? KnownPlaces{before->simplified, before->places} : KnownPlaces();
+  const auto product =
+      std::make_shared<NavigationMesh>(*makeNavigationMesh(work->simplified, known, work->places, context));
   work->product = product;
   if (product->triangles.empty()) return outcome;
   divideThinTriangles(*product, std::max(radius, ledges), context);
@@ -251,6 +254,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
   if (recall.keep) {
     work->memory = std::make_shared<RadiusMemory>(*state.kernel);
     work->memory->simplified = work->simplified;
+    work->memory->places = std::move(work->places);
     work->memory->generation = work->state->kernel->mesh().withoutPlaces;
     work->memory->covered = std::move(work->covered.found);
   }

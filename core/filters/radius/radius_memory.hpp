@@ -19,6 +19,7 @@
 #include "core/base/copy_memory.hpp"
 #include "core/exact/face_cuts.hpp"
 #include "core/filters/rounding/generation.hpp"
+#include "core/filters/rounding/known_places.hpp"
 
 namespace footfall::detail {
 
@@ -80,6 +81,7 @@ class CutFaces {
 struct RadiusMemory {
   explicit RadiusMemory(const PlanKernel& kernel) : cutFaces(kernel) {}
   StatePtr simplified;                           ///< area that was narrowed
+  std::shared_ptr<const RoundedPlaces> places;   ///< of its vertices
   std::shared_ptr<const SourceMesh> generation;  ///< without the margins
   CoveredParts covered;
   CutFaces cutFaces;

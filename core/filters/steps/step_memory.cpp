@@ -7,6 +7,7 @@
 
 #include "core/assembly/earlier_result.hpp"
 #include "core/assembly/mesh_relation.hpp"
+#include "core/exact/grid.hpp"
 #include "core/filters/steps/step_linker.hpp"
 
 namespace footfall::detail {
@@ -32,13 +33,13 @@ void StepLinker::reuse(const StepMemory& before, const EarlierResult& earlier) {
   const MeshRelation relation = relateMeshes(earlier, *before.given, splits_.mesh());
   std::vector<Index> borderAt(3 * before.given->triangles.size(), -1);
   for (std::size_t b = 0; b < before.borders.size(); ++b) borderAt[before.borders[b].side] = static_cast<Index>(b);
-  const int unscale = -now.mesh().grid.scaleExponent();
+  const PowerOfTwo unscale(-now.mesh().grid.scaleExponent());
   const auto isTouched = [&](const MeshBorder& border) {
     const BoxTree<3>::Bounds own = boundsOf(border);
     Box box;
     for (int k = 0; k < 3; ++k) {
-      box.lower[k] = std::ldexp(own.lower[k], unscale) - (k < 2 ? before.gap : before.step);
-      box.upper[k] = std::ldexp(own.upper[k], unscale) + (k < 2 ? before.gap : before.step + before.height);
+      box.lower[k] = unscale(own.lower[k]) - (k < 2 ? before.gap : before.step);
+      box.upper[k] = unscale(own.upper[k]) + (k < 2 ? before.gap : before.step + before.height);
       // Far more than the errors of these sums, and than the distance that counts as touching for gaps.
       const double margin = std::max(std::fabs(box.lower[k]), std::fabs(box.upper[k])) * 0x1p-30;
       box.lower[k] -= margin;
