@@ -12,19 +12,9 @@
 namespace footfall::detail {
 namespace {
 
-// A difference of numbers of `bits` bits has bits + 1, and so on: while the largest sum of a predicate keeps within the
-// 53 bits of a double, every step of it is exact, whatever the order, and so is its sign.
-constexpr int kDoubleBits = 53;
-// A component of a normal has 2 (bits + 1) + 1 bits; three products with a difference and one with the height are
-// added.
-bool areHeightsExact(int bits) { return 3 * (bits + 1) + 3 <= kDoubleBits; }
-
 /// Signs by edge, then corner.
-void setSigns(std::array<ClearanceCandidate::Signs, 3>& signs, const CornerSides& sides) {
-  for (int j = 0; j < 3; ++j) {
-    const auto& each = sides[j].each();
-    for (int k = 0; k < 3; ++k) signs[k][j] = each[k];
-  }
+void setSigns(std::array<ClearanceCandidate::Signs, 3>& signs, const EdgeSides& sides) {
+  for (std::size_t k = 0; k < 3; ++k) signs[k] = sides[k].each();
 }
 
 struct GridSquare {
@@ -80,11 +70,9 @@ ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
       poll_(poll) {
-  Grid grid = mesh_.grid;
   exactOrientations_ = kernel.hasExactOrientations();
-  exactTree_ = mesh_.tree.isExactOn(grid);
-  grid.include(height_);
-  exactHeights_ = areHeightsExact(grid.top - grid.low) && kernel.sign().zeroValid;
+  exactTree_ = mesh_.tree.isExactOn(mesh_.grid);
+  chooseHeights();
 }
 
 void ClearanceCandidates::begin(Index face) {
@@ -106,6 +94,7 @@ void ClearanceCandidates::begin(Index face) {
   ex_ = n[0].error, ey_ = n[1].error, ez_ = n[2].error;
   floorZ_ = mesh_.vertices[f[0]].z;
   isLevel_ = mesh_.vertices[f[1]].z == floorZ_ && mesh_.vertices[f[2]].z == floorZ_;
+  if (heights_ == Heights::Integers && !isLevel_) beginIntegers();
   if (exactOrientations_)
     planEdges_ = PlanEdges(mesh_.scaled[f[0]], mesh_.scaled[f[1]], mesh_.scaled[f[2]]);
   else
@@ -214,13 +203,14 @@ void ClearanceCandidates::consider(Index obstacle) {
   if (obstacle == face_) return;
   ClearanceCandidate candidate;
   candidate.obstacle = obstacle;
+  // The plan is cheaper where doubles decide it, and leaves out more.
+  if (exactOrientations_ && !findOverlap(candidate)) return;
   if (!findHeights(candidate)) return;
+  if (candidate.coplanar && (mesh_.facing[obstacle] <= 0 || obstacle > face_)) return;
+  if (isLeftOut(obstacle) || (!exactOrientations_ && !findOverlap(candidate))) return;
   if (candidate.coplanar) {
-    if (mesh_.facing[obstacle] <= 0 || obstacle > face_ || isLeftOut(obstacle) || !findOverlap(candidate)) return;
     dependsOnFloors_ = overlapInPlane_ = true;
     if (!isFloor_(obstacle)) return;
-  } else if (isLeftOut(obstacle) || !findOverlap(candidate)) {
-    return;
   }
   candidates_.push_back(candidate);
   crowding_->add(obstacle);
@@ -282,78 +272,6 @@ bool ClearanceCandidates::proveCover() {
   return true;
 }
 
-// Exact: a rounded difference on one side of the clearance is on that side before rounding, as the clearance is a
-// double; when they are equal, the residual decides.
-int ClearanceCandidates::compareToCeiling(double z) const {
-  const double difference = z - floorZ_;
-  if (difference != height_) return difference > height_ ? 1 : -1;
-  const double part = difference - z;
-  const double residual = (z - (difference - part)) - (floorZ_ + part);
-  return residual > 0 ? 1 : residual < 0 ? -1 : 0;
-}
-
-ClearanceCandidates::HeightBits ClearanceCandidates::levelHeights(const std::array<Index, 3>& obstacle) const {
-  const std::array<double, 3> z{mesh_.vertices[obstacle[0]].z, mesh_.vertices[obstacle[1]].z,
-                                mesh_.vertices[obstacle[2]].z};
-  const Three three{Double2{z[0], z[1]}, z[2]};
-  HeightBits heights{ThreeSigns::above(three, floorZ_), {}};
-  heights.ceiling = ThreeSigns::above({three.first - floorZ_, three.last - floorZ_}, height_);
-  for (unsigned rest = heights.floor.positive & ~(heights.ceiling.positive | heights.ceiling.negative); rest != 0;
-       rest &= rest - 1) {
-    const int corner = std::countr_zero(rest);
-    heights.ceiling.set(static_cast<unsigned>(corner), compareToCeiling(z[corner]));
-  }
-  return heights;
-}
-
-ClearanceCandidates::HeightBits ClearanceCandidates::exactHeights(const std::array<Index, 3>& obstacle) const {
-  const Vec3& base = mesh_.scaled[mesh_.triangles[face_][0]];
-  const Vec3 &a = mesh_.scaled[obstacle[0]], &b = mesh_.scaled[obstacle[1]], &c = mesh_.scaled[obstacle[2]];
-  const Three value{
-      nx_ * (Double2{a.x, b.x} - base.x) + ny_ * (Double2{a.y, b.y} - base.y) + nz_ * (Double2{a.z, b.z} - base.z),
-      nx_ * (c.x - base.x) + ny_ * (c.y - base.y) + nz_ * (c.z - base.z)};
-  return {ThreeSigns::above(value, 0), ThreeSigns::above(value, nz_ * scaledHeight_)};
-}
-
-ClearanceCandidates::HeightBits ClearanceCandidates::filteredHeights(const std::array<Index, 3>& obstacle) {
-  HeightBits heights;
-  const auto& f = mesh_.triangles[face_];
-  const Vec3& base = mesh_.scaled[f[0]];
-  const double slack = kernel_.sign().slack;
-  for (unsigned j = 0; j < 3; ++j) {
-    const Index v = obstacle[j];
-    int floor = 0, ceiling = -1;
-    if (v != f[0] && v != f[1] && v != f[2]) {
-      const Vec3& p = mesh_.scaled[v];
-      const double dx = p.x - base.x, dy = p.y - base.y, dz = p.z - base.z;
-      const double tx = nx_ * dx, ty = ny_ * dy, tz = nz_ * dz, th = nz_ * scaledHeight_;
-      const double value = tx + ty + tz;
-      // The bound: at most five roundings on each term, then the normal's own error; 9 u and kInflate cover the bound's
-      // rounding.
-      const double bound = ((std::fabs(tx) + std::fabs(ty) + std::fabs(tz) + std::fabs(th)) * (9 * 0x1p-53) +
-                            ex_ * std::fabs(dx) + ey_ * std::fabs(dy) + ez_ * (std::fabs(dz) + scaledHeight_)) *
-                               kInflate +
-                           slack;
-      floor = value > bound ? 1 : value < -bound ? -1 : kernel_.heightSign(face_, v, 0, fallbacks);
-      if (floor > 0)
-        ceiling = value - th > bound ? 1 : value - th < -bound ? -1 : kernel_.heightSign(face_, v, level_, fallbacks);
-    }
-    heights.floor.set(j, floor);
-    heights.ceiling.set(j, ceiling);
-  }
-  return heights;
-}
-
-bool ClearanceCandidates::findHeights(ClearanceCandidate& candidate) {
-  const auto& o = mesh_.triangles[candidate.obstacle];
-  const HeightBits heights = isLevel_ ? levelHeights(o) : exactHeights_ ? exactHeights(o) : filteredHeights(o);
-  candidate.coplanar = (heights.floor.positive | heights.floor.negative) == 0;
-  if (!candidate.coplanar && (heights.floor.positive == 0 || heights.ceiling.negative == 0)) return false;
-  candidate.floor = heights.floor.each();
-  candidate.ceiling = heights.ceiling.each();
-  return true;
-}
-
 ClearanceCandidates::Line ClearanceCandidates::lineThrough(Index from, Index to) const {
   const Vec3 &a = mesh_.scaled[from], &b = mesh_.scaled[to];
   return {from, to, a.x, a.y, b.x - a.x, b.y - a.y};
@@ -374,42 +292,35 @@ int ClearanceCandidates::sideOf(const Line& line, Index vertex) {
   return kernel_.orientation(line.from, line.to, vertex, fallbacks);
 }
 
-CornerSides ClearanceCandidates::exactSides(const PlanEdges& edges, Index triangle) const {
+PlanCorners ClearanceCandidates::cornersOf(Index triangle) const {
   const auto& t = mesh_.triangles[triangle];
-  CornerSides sides;
-  for (int j = 0; j < 3; ++j) sides[j] = edges.sidesOf(mesh_.scaled[t[j]]);
+  return {mesh_.scaled[t[0]], mesh_.scaled[t[1]], mesh_.scaled[t[2]]};
+}
+
+ThreeSigns ClearanceCandidates::filteredSides(const Line& line, Index triangle) {
+  ThreeSigns sides;
+  for (unsigned j = 0; j < 3; ++j) sides.set(j, sideOf(line, mesh_.triangles[triangle][j]));
   return sides;
 }
 
-template <class LineOf>
-CornerSides ClearanceCandidates::filteredSides(const LineOf& lineOf, Index triangle, int leastRight) {
-  const auto& t = mesh_.triangles[triangle];
-  CornerSides sides;
-  for (int k = 0; k < 3; ++k) {
-    const Line line = lineOf(k);
-    int left = 0, right = 0;
-    for (int j = 0; j < 3; ++j) {
-      const int side = sideOf(line, t[j]);
-      left += side > 0 ? 1 : 0;
-      right += side < 0 ? 1 : 0;
-      sides[j].set(static_cast<unsigned>(k), side);
-    }
-    if (left == 0 && right >= leastRight) break;
-  }
-  return sides;
-}
-
+// Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
 bool ClearanceCandidates::findOverlap(ClearanceCandidate& candidate) {
-  const bool isWall = mesh_.facing[candidate.obstacle] == 0;
-  const CornerSides sides =
-      exactOrientations_ ? exactSides(planEdges_, candidate.obstacle)
-                         : filteredSides([this](int k) { return edges_[k]; }, candidate.obstacle, isWall ? 2 : 0);
-  const auto& [s0, s1, s2] = sides;
-  // Some corner of the obstacle must lie strictly inside each edge of the face; a wall may also stand on the edge.
-  const unsigned outside = 7U & ~(s0.positive | s1.positive | s2.positive);
-  const unsigned beside = (s0.negative & s1.negative) | (s1.negative & s2.negative) | (s2.negative & s0.negative);
-  if ((isWall ? outside & beside : outside) != 0) return false;
-  if (isWall ? isWallApart(candidate.obstacle) : isSeparated(candidate)) return false;
+  const Index obstacle = candidate.obstacle;
+  const bool isWall = mesh_.facing[obstacle] == 0;
+  EdgeSides sides;
+  const auto isOutside = [&](int k, const ThreeSigns& corners) {
+    sides[static_cast<std::size_t>(k)] = corners;
+    return corners.positive == 0 && (!isWall || hasTwo(corners.negative));
+  };
+  if (exactOrientations_) {
+    const PlanCorners corners = cornersOf(obstacle);
+    for (int k = 0; k < 3; ++k)
+      if (isOutside(k, planEdges_.sidesOf(k, corners))) return false;
+  } else {
+    for (int k = 0; k < 3; ++k)
+      if (isOutside(k, filteredSides(edges_[k], obstacle))) return false;
+  }
+  if (isWall ? isWallApart(obstacle) : isSeparated(candidate)) return false;
   setSigns(candidate.sides, sides);
   return true;
 }
@@ -455,16 +366,22 @@ bool ClearanceCandidates::onlyTouches(Index obstacle) const {
 bool ClearanceCandidates::isSeparated(ClearanceCandidate& candidate) {
   const auto& o = mesh_.triangles[candidate.obstacle];
   const bool isTurned = mesh_.facing[candidate.obstacle] < 0;
-  CornerSides sides;
+  EdgeSides sides;
   if (exactOrientations_) {
-    sides = exactSides(PlanEdges(mesh_.scaled[o[0]], mesh_.scaled[o[1]], mesh_.scaled[o[2]]), face_);
-    if (isTurned)
-      for (ThreeSigns& corner : sides) std::swap(corner.positive, corner.negative);
+    const PlanEdges edges(mesh_.scaled[o[0]], mesh_.scaled[o[1]], mesh_.scaled[o[2]]);
+    const PlanCorners corners = cornersOf(face_);
+    for (int k = 0; k < 3; ++k) {
+      ThreeSigns& signs = sides[static_cast<std::size_t>(k)] = edges.sidesOf(k, corners);
+      if (isTurned) std::swap(signs.positive, signs.negative);
+      if (signs.positive == 0) return true;
+    }
   } else {
-    sides = filteredSides(
-        [&](int k) { return isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]); }, face_, 0);
+    for (int k = 0; k < 3; ++k) {
+      const Line line = isTurned ? lineThrough(o[next(k)], o[k]) : lineThrough(o[k], o[next(k)]);
+      const ThreeSigns& signs = sides[static_cast<std::size_t>(k)] = filteredSides(line, face_);
+      if (signs.positive == 0) return true;
+    }
   }
-  if ((sides[0].positive | sides[1].positive | sides[2].positive) != 7U) return true;
   setSigns(candidate.corners, sides);
   return false;
 }

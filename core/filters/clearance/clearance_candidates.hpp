@@ -101,9 +101,16 @@ class ClearanceCandidates {
   struct HeightBits {
     ThreeSigns floor, ceiling;
   };
+  [[nodiscard]] HeightBits heightsOf(const std::array<Index, 3>& obstacle);
   [[nodiscard]] HeightBits levelHeights(const std::array<Index, 3>& obstacle) const;
   [[nodiscard]] HeightBits exactHeights(const std::array<Index, 3>& obstacle) const;
+  [[nodiscard]] HeightBits integerHeights(const std::array<Index, 3>& obstacle) const;
   [[nodiscard]] HeightBits filteredHeights(const std::array<Index, 3>& obstacle);
+  void chooseHeights();
+  /// Prepares integerHeights() above the face.
+  void beginIntegers();
+  /// In units of the grid of the mesh and the clearance.
+  [[nodiscard]] std::array<std::int64_t, 3> unitsBetween(const Vec3& from, const Vec3& to) const;
   /// A line of the plan through two source vertices, as doubles compute with it.
   struct Line {
     Index from, to;
@@ -115,12 +122,9 @@ class ClearanceCandidates {
   /// Returns true when the boxes of face and obstacle share, in the plan, at most a border on which no part of the
   /// obstacle can stand on the face. False has no meaning.
   [[nodiscard]] bool onlyTouches(Index obstacle) const;
-  /// The sides of a triangle's edges on which the corners of another one lie, with exactOrientations_: +1 left.
-  [[nodiscard]] CornerSides exactSides(const PlanEdges& edges, Index triangle) const;
-  /// The same of three lines, lineOf(k), otherwise. What comes behind a line without a corner on its left, and with
-  /// `leastRight` on its right, stays 0.
-  template <class LineOf>
-  [[nodiscard]] CornerSides filteredSides(const LineOf& lineOf, Index triangle, int leastRight);
+  [[nodiscard]] PlanCorners cornersOf(Index triangle) const;
+  /// The sides of a line on which the corners of a triangle lie.
+  [[nodiscard]] ThreeSigns filteredSides(const Line& line, Index triangle);
   void findEdgesInBox();
   /// True when an edge of the obstacle, which is no wall, has the face outside; finds the corners if not.
   bool isSeparated(ClearanceCandidate& candidate);
@@ -142,7 +146,12 @@ class ClearanceCandidates {
   Poll poll_;
   const NeedleFans* fans_ = nullptr;
   std::uint32_t polls_ = 0;
-  bool exactOrientations_ = false, exactHeights_ = false, exactTree_ = false;
+  bool exactOrientations_ = false, exactTree_ = false;
+  /// How heights above a floor that is not level are compared; on wide grids doubles with a bound and exact numbers.
+  enum class Heights : std::uint8_t { Doubles, Integers, Filtered };
+  Heights heights_ = Heights::Filtered;
+  double unitsPerScaled_ = 0;  ///< with Heights::Integers
+  std::int64_t integerHeight_ = 0;
 
   Index face_ = -1;
   Box box_;  ///< box of the face and the clearance above it
@@ -156,6 +165,7 @@ class ClearanceCandidates {
   double nx_ = 0, ny_ = 0, nz_ = 0, ex_ = 0, ey_ = 0, ez_ = 0;
   bool isLevel_ = false;  ///< all corners of the floor have the same z
   double floorZ_ = 0;     ///< ... which is this one
+  std::array<std::int64_t, 3> integerNormal_{};
   bool dependsOnFloors_ = false;
   std::vector<ClearanceCandidate> candidates_;
   std::optional<Crowding> crowding_;

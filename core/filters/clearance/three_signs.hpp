@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "core/base/double2.hpp"
@@ -46,28 +47,38 @@ struct ThreeSigns {
 /// True when at least two bits are set.
 [[nodiscard]] constexpr bool hasTwo(unsigned bits) { return (bits & (bits - 1)) != 0; }
 
+/// The corners of a triangle in the plan.
+struct PlanCorners {
+  Three x, y;
+
+  PlanCorners(const Vec3& p, const Vec3& q, const Vec3& r) : x{Double2{p.x, q.x}, r.x}, y{Double2{p.y, q.y}, r.y} {}
+};
+
 /// The edges of a triangle in the plan (corner k to k + 1) as lines a x + b y + c, which are positive to the left.
 /// Where Grid::hasExactOrientations() of all places, with coordinates below 2^w in units of the grid, every step is
 /// below 2^(2 w + 3) and so without a rounding.
-struct PlanEdges {
-  Three a, b, c;
-
+class PlanEdges {
+ public:
   PlanEdges() = default;
-  PlanEdges(const Vec3& p, const Vec3& q, const Vec3& r) {
-    const Double2 x{p.x, q.x}, nextX{q.x, r.x}, y{p.y, q.y}, nextY{q.y, r.y};
-    a = {y - nextY, r.y - p.y};
-    b = {nextX - x, p.x - r.x};
-    c = {x * nextY - nextX * y, r.x * p.y - p.x * r.y};
+  PlanEdges(const Vec3& p, const Vec3& q, const Vec3& r) : lines_{Line(p, q), Line(q, r), Line(r, p)} {}
+
+  /// The sides of an edge on which the corners lie.
+  [[nodiscard]] ThreeSigns sidesOf(int edge, const PlanCorners& corners) const {
+    const auto& [a, b, c] = lines_[static_cast<std::size_t>(edge)];
+    return ThreeSigns::above(
+        {a * corners.x.first + b * corners.y.first + c, a * corners.x.last + b * corners.y.last + c}, 0);
   }
 
-  /// The side of each edge on which the place lies.
-  [[nodiscard]] ThreeSigns sidesOf(const Vec3& place) const {
-    return ThreeSigns::above(
-        {a.first * place.x + b.first * place.y + c.first, a.last * place.x + b.last * place.y + c.last}, 0);
-  }
+ private:
+  struct Line {
+    double a = 0, b = 0, c = 0;
+    Line() = default;
+    Line(const Vec3& p, const Vec3& q) : a(p.y - q.y), b(q.x - p.x), c(p.x * q.y - q.x * p.y) {}
+  };
+  std::array<Line, 3> lines_;
 };
 
-/// The sides of one triangle's edges on which the corners of another one lie.
-using CornerSides = std::array<ThreeSigns, 3>;
+/// The sides of each edge of one triangle on which the corners of another one lie.
+using EdgeSides = std::array<ThreeSigns, 3>;
 
 }  // namespace footfall::detail
