@@ -5,9 +5,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "core/base/lexicographic_order.hpp"
+#include "core/base/main_direction.hpp"
 #include "core/base/numbered_table.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
@@ -183,6 +185,24 @@ Box boxOf(const SourceMesh& mesh, Index t) {
           {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}};
 }
 
+namespace {
+
+/// The frame of the tree, from a sample of the edges; none where most of them follow the axes.
+std::optional<TreeTurn> findTurn(const SourceMesh& mesh) {
+  constexpr std::size_t kTriangles = MainDirection::kEnough / 3;
+  MainDirection direction;
+  const std::size_t count = mesh.triangles.size(), step = std::max<std::size_t>(count / kTriangles, 1);
+  for (std::size_t t = 0; t < count; t += step)
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh.scaled[mesh.triangles[t][k]], &b = mesh.scaled[mesh.triangles[t][next(k)]];
+      direction.add(b.x - a.x, b.y - a.y);
+    }
+  const auto found = direction.find();
+  return found ? std::optional(TreeTurn((*found)[0], (*found)[1])) : std::nullopt;
+}
+
+}  // namespace
+
 void buildTree(SourceMesh& mesh, Poll poll) {
   if (mesh.vertices.empty()) return;
   const Vec3& corner = mesh.vertices.front();
@@ -199,8 +219,16 @@ void buildTree(SourceMesh& mesh, Poll poll) {
   forEachInOrder(mesh.triangles.size(), poll, [&](std::size_t t) {
     if (mesh.degenerate[t] == 0) ids.push_back(static_cast<std::int32_t>(t));
   });
+  if (const auto turn = findTurn(mesh)) {
+    const auto turnedBox = [&](std::size_t i) {
+      const auto& [a, b, c] = mesh.triangles[ids[i]];
+      return turn->around(std::array{mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]}, boxOf(mesh, ids[i]));
+    };
+    mesh.tree.build(turn->around(bounds), ids, turnedBox, turn, poll);
+    return;
+  }
   mesh.tree.build(
-      bounds, ids, [&](std::size_t i) { return boxOf(mesh, ids[i]); }, poll);
+      bounds, ids, [&](std::size_t i) { return boxOf(mesh, ids[i]); }, std::nullopt, poll);
 }
 
 bool SourceMesh::hasObstacleEdge(Index a, Index b) const {

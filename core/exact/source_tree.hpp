@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/exact/grid.hpp"
+#include "core/exact/tree_turn.hpp"
 
 namespace footfall::detail {
 
@@ -18,9 +20,12 @@ namespace footfall::detail {
 /// are skipped. The order of the visits has no meaning.
 class SourceTree {
  public:
-  /// Builds the tree as TriangleTree::build() does.
+  /// Builds the tree as TriangleTree::build() does. `bounds` and the boxes are in the frame of `turn` where there is
+  /// one.
   template <class BoxOf>
-  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, Poll poll) {
+  void build(const Box& bounds, std::span<const std::int32_t> ids, const BoxOf& boxOf, std::optional<TreeTurn> turn,
+             Poll poll) {
+    turn_ = turn;
     auto tree = std::make_shared<TriangleTree>();
     tree->build(bounds, ids, boxOf, poll);
     tree_ = std::move(tree);
@@ -31,8 +36,10 @@ class SourceTree {
   /// The tree of an edited environment: `renumbered` gives for each triangle of `earlier` its number now, or -1;
   /// `addedBoxes` and `addedIds` are all triangles that `earlier`'s own tree does not hold.
   static SourceTree edited(const SourceTree& earlier, const std::vector<std::int32_t>& renumbered,
-                           std::span<const Box> addedBoxes, std::span<const std::int32_t> addedIds) {
+                           std::vector<Box> addedBoxes, std::span<const std::int32_t> addedIds) {
     SourceTree result;
+    result.turn_ = earlier.turn_;
+    for (Box& box : addedBoxes) box = earlier.inFrame(box);
     result.tree_ = earlier.tree_;
     auto numbers = std::make_shared<std::vector<std::int32_t>>();
     if (earlier.numbers_) {
@@ -51,20 +58,17 @@ class SourceTree {
   /// See TriangleTree.
   template <class Visit>
   void visitOverlapping(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
-    if (!tree_) return;
-    if (!numbers_) {
-      tree_->visitOverlapping(query, stack, visit);
-      return;
-    }
-    bool stopped = false;
-    tree_->visitOverlapping(query, stack, [&](std::int32_t id) {
-      stopped = (*numbers_)[id] >= 0 && !visit((*numbers_)[id]);
-      return !stopped;
-    });
-    if (!stopped) added_->visitOverlapping(query, stack, visit);
+    visitInFrame(inFrame(query), stack, visit);
   }
 
-  /// See TriangleTree.
+  /// Visits what overlaps the convex hull of some places of the plan, within the heights of a box around them, and
+  /// perhaps more of what overlaps the box.
+  template <class Visit>
+  void visitOver(std::span<const Vec3> places, const Box& box, std::vector<std::int32_t>& stack, Visit visit) const {
+    visitInFrame(turn_ ? turn_->around(places, box) : box, stack, visit);
+  }
+
+  /// See TriangleTree; only where isExactOn() the grid.
   template <class Visit>
   void visitCrossing(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
     if (!tree_) return;
@@ -83,10 +87,28 @@ class SourceTree {
   /// True when different coordinates of triangles on the grid stay different here (TriangleTree::isExactOn()).
   [[nodiscard]] bool isExactOn(const Grid& grid) const {
     const auto isExact = [&](const TriangleTree& tree) { return tree.empty() || tree.isExactOn(grid.low, grid.top); };
-    return tree_ && isExact(*tree_) && (!added_ || isExact(*added_));
+    return tree_ && !turn_ && isExact(*tree_) && (!added_ || isExact(*added_));
   }
 
  private:
+  [[nodiscard]] Box inFrame(const Box& box) const { return turn_ ? turn_->around(box) : box; }
+
+  template <class Visit>
+  void visitInFrame(const Box& query, std::vector<std::int32_t>& stack, Visit visit) const {
+    if (!tree_) return;
+    if (!numbers_) {
+      tree_->visitOverlapping(query, stack, visit);
+      return;
+    }
+    bool stopped = false;
+    tree_->visitOverlapping(query, stack, [&](std::int32_t id) {
+      stopped = (*numbers_)[id] >= 0 && !visit((*numbers_)[id]);
+      return !stopped;
+    });
+    if (!stopped) added_->visitOverlapping(query, stack, visit);
+  }
+
+  std::optional<TreeTurn> turn_;
   std::shared_ptr<const TriangleTree> tree_;
   std::shared_ptr<const std::vector<std::int32_t>> numbers_;  ///< number of each id in tree_; null: the id itself
   std::shared_ptr<const TriangleTree> added_;                 ///< null together with numbers_

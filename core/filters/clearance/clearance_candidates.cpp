@@ -186,8 +186,19 @@ void ClearanceCandidates::search(const Box& box, bool isPart) {
       if (crosses || (mesh_.facing[obstacle] == 0 && !onlyTouches(obstacle))) consider(obstacle);
       return !areKnownToCover_;
     });
-  } else {
+  } else if (isPart) {
     mesh_.tree.visitOverlapping(box, stack_, take);
+  } else {
+    const auto& [a, b, c] = mesh_.triangles[face_];
+    // Where doubles decide the plan, that is as quick as comparing boxes, and leaves out more.
+    const auto takeAny = [&](Index obstacle) {
+      if (exactOrientations_)
+        consider(obstacle);
+      else
+        take(obstacle);
+      return !areKnownToCover_;
+    };
+    mesh_.tree.visitOver(std::array{mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]}, box, stack_, takeAny);
   }
   sort();
 }

@@ -1,6 +1,8 @@
 // Source meshes against plain sorting and exact predicates, and the radix sort against std::sort.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -160,6 +162,47 @@ class TestSourceMesh : public QObject {
       }
     }
     QCOMPARE(met.size(), std::size_t{4});  // up, down, vertical, degenerate
+  }
+
+  // Boxes around turned strips: the tree has a frame of its own, finds all that meet, and few others.
+  void treeOfATurnedLevelFindsNeighbours() {
+    constexpr int kStrips = 100, kLength = 100;
+    TriangleSoup soup;
+    const double c = std::cos(0.3), s = std::sin(0.3);
+    for (int i = 0; i <= kStrips; ++i)
+      for (const int along : {0, kLength}) soup.vertices.push_back({100 + c * i - s * along, s * i + c * along, 0});
+    for (std::uint32_t i = 0; i < kStrips; ++i) {
+      const std::uint32_t a = 2 * i, b = a + 1, next = a + 2, last = a + 3;
+      soup.triangles.push_back({a, next, last});
+      soup.triangles.push_back({a, last, b});
+    }
+    const SourceMesh mesh = makeSourceMesh(soup, false);
+    QVERIFY(!mesh.tree.isExactOn(mesh.grid));
+    std::vector<std::int32_t> stack;
+    std::size_t visitsOver = 0, visitsAlongAxes = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& f = mesh.triangles[t];
+      const std::array corners{mesh.vertices[f[0]], mesh.vertices[f[1]], mesh.vertices[f[2]]};
+      const Box box = boxOf(mesh, static_cast<Index>(t));
+      std::vector<char> met(mesh.triangles.size(), 0);
+      mesh.tree.visitOver(corners, box, stack, [&](std::int32_t id) {
+        ++visitsOver;
+        met[static_cast<std::size_t>(id)] = 1;
+        return true;
+      });
+      for (std::size_t other = 0; other < mesh.triangles.size(); ++other) {
+        const auto& g = mesh.triangles[other];
+        if (std::any_of(f.begin(), f.end(), [&](Index v) { return v == g[0] || v == g[1] || v == g[2]; }))
+          QVERIFY(met[other] != 0);
+        if (overlap(box, boxOf(mesh, static_cast<Index>(other)))) ++visitsAlongAxes;
+      }
+      mesh.tree.visitOverlapping(box, stack, [&](std::int32_t id) {
+        met[static_cast<std::size_t>(id)] = 2;
+        return true;
+      });
+      QVERIFY(std::count(met.begin(), met.end(), 1) == 0);  // a box holds its triangle
+    }
+    QVERIFY2(visitsOver * 3 < visitsAlongAxes, qPrintable(QString("%1 %2").arg(visitsOver).arg(visitsAlongAxes)));
   }
 
   void sameMeshForAnyNumberOfThreads() {
