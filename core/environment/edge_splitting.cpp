@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/box_tree.hpp"
@@ -81,6 +82,7 @@ class NearPlaces {
       poll();
       for (std::size_t e = range.begin(); e != range.end(); ++e) beside_[e] = search(edges_[e]);
     });
+    keepSplitEdges();
   }
 
   /// The places beside the edge, on the way from a to b.
@@ -92,10 +94,7 @@ class NearPlaces {
     return places;
   }
 
-  [[nodiscard]] bool hasBetween(Index a, Index b) const {
-    const std::vector<Index>* beside = a == b ? nullptr : find(edgeOf(a, b));
-    return beside != nullptr && !beside->empty();
-  }
+  [[nodiscard]] bool hasBetween(Index a, Index b) const { return a != b && find(edgeOf(a, b)) != nullptr; }
 
  private:
   using Tree = BoxTree<3>;
@@ -109,8 +108,24 @@ class NearPlaces {
     return bounds;
   }
 
-  /// The places beside an edge, or null where there is no such edge.
+  /// Drops the edges without places beside them, so that few are looked up, and for few triangles.
+  void keepSplitEdges() {
+    isAtSplit_.assign(places_.size(), 0);
+    std::size_t kept = 0;
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      if (beside_[e].empty()) continue;
+      isAtSplit_[edges_[e] >> 32U] = isAtSplit_[edges_[e] & 0xffffffffU] = 1;
+      edges_[kept] = edges_[e];
+      if (kept != e) beside_[kept] = std::move(beside_[e]);
+      ++kept;
+    }
+    edges_.resize(kept);
+    beside_.resize(kept);
+  }
+
+  /// The places beside an edge, or null where there are none.
   [[nodiscard]] const std::vector<Index>* find(Edge edge) const {
+    if (isAtSplit_[edge >> 32U] == 0 || isAtSplit_[edge & 0xffffffffU] == 0) return nullptr;
     const auto found = std::lower_bound(edges_.begin(), edges_.end(), edge);
     if (found == edges_.end() || *found != edge) return nullptr;
     return &beside_[static_cast<std::size_t>(found - edges_.begin())];
@@ -153,11 +168,18 @@ class NearPlaces {
   const std::vector<GridPlace>& places_;
   std::vector<Edge> edges_;
   std::vector<std::vector<Index>> beside_;
+  std::vector<char> isAtSplit_;  ///< by place; true where an edge ends that has places beside it
   Tree tree_;
   double extent_ = 0;
 };
 
 using Corners = std::array<Index, 3>;
+
+/// True when the triangle is a line or a place in the plan. Differences of coordinates are below 2^54.
+bool isUpright(const GridPlace& a, const GridPlace& b, const GridPlace& c) {
+  return Int128{b[0] - a[0]} * (c[1] - a[1]) == Int128{b[1] - a[1]} * (c[0] - a[0]);
+}
+
 /// The places that split each edge of a triangle, from its first corner on.
 using Between = std::array<std::span<const Index>, 3>;
 
@@ -198,30 +220,40 @@ std::uint64_t splitAtNearVertices(Environment& environment, double step, const P
           std::lower_bound(places.begin(), places.end(), gridPlace(environment.vertices[v], step)) - places.begin());
   });
   for (std::size_t v = placeOf.size(); v-- > 0;) vertexAt[placeOf[v]] = static_cast<std::uint32_t>(v);
-  std::vector<NearPlaces::Edge> edges;
-  for (const Triangle& triangle : triangles)
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Index a = placeOf[triangle[k]], b = placeOf[triangle[(k + 1) % 3]];
-      if (a != b) edges.push_back(NearPlaces::edgeOf(a, b));
-    }
-  const NearPlaces near(places, std::move(edges), poll);
-  std::uint64_t count = 0;
   const std::size_t given = triangles.size();
   const auto cornersAt = [&](std::size_t t) {
     const Triangle& triangle = triangles[t];
     return Corners{placeOf[triangle[0]], placeOf[triangle[1]], placeOf[triangle[2]]};
   };
-  std::vector<char> isSplit(given);
+  // Pieces of a wall would not be upright. A whole one beside the split border of a floor parts no less.
+  std::vector<char> maySplit(given);
   parallelRanges(given, kPerTask, [&](const auto& range) {
     poll();
     for (std::size_t t = range.begin(); t != range.end(); ++t) {
       const auto [a, b, c] = cornersAt(t);
-      isSplit[t] = near.hasBetween(a, b) || near.hasBetween(b, c) || near.hasBetween(c, a) ? 1 : 0;
+      maySplit[t] = isUpright(places[a], places[b], places[c]) ? 0 : 1;
+    }
+  });
+  std::vector<NearPlaces::Edge> edges;
+  for (std::size_t t = 0; t < given; ++t) {
+    if (maySplit[t] == 0) continue;
+    const Corners corners = cornersAt(t);
+    for (std::size_t k = 0; k < 3; ++k) edges.push_back(NearPlaces::edgeOf(corners[k], corners[(k + 1) % 3]));
+  }
+  const NearPlaces near(places, std::move(edges), poll);
+  std::uint64_t count = 0;
+
+  parallelRanges(given, kPerTask, [&](const auto& range) {
+    poll();
+    for (std::size_t t = range.begin(); t != range.end(); ++t) {
+      if (maySplit[t] == 0) continue;
+      const auto [a, b, c] = cornersAt(t);
+      maySplit[t] = near.hasBetween(a, b) || near.hasBetween(b, c) || near.hasBetween(c, a) ? 1 : 0;
     }
   });
   std::vector<Corners> pieces;
   for (std::size_t t = 0; t < given; ++t) {
-    if (isSplit[t] == 0) continue;
+    if (maySplit[t] == 0) continue;
     const Corners corners = cornersAt(t);
     std::array<std::vector<Index>, 3> beside;
     for (std::size_t k = 0; k < 3; ++k) beside[k] = near.between(corners[k], corners[(k + 1) % 3]);
