@@ -292,8 +292,15 @@ MeshVertex StepConditions::placeOf(const SharedStretch& stretch, Index vertex) c
 
 void StepConditions::addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry) {
   for (const StretchSign& rise : rises_) addCrossing(stretch, rise, lines);
-  for (const Cover& cover : covers_) {
-    for (const StretchSign& edge : cover.edges) addCrossing(stretch, edge, lines);
+  for (Cover& cover : covers_) {
+    for (const StretchSign& edge : cover.edges)
+      if (const MeshVertex* crossing = addCrossing(stretch, edge, lines)) {
+        const Along along = placeAlong(stretch, *crossing);
+        if (edge.begin < 0)
+          cover.from = std::max(cover.from, along.low);
+        else
+          cover.to = std::min(cover.to, along.high);
+      }
     for (int floor = 0; floor < floorCount_; ++floor)
       for (const StretchSign& height : cover.heights[floor]) addCrossing(stretch, height, lines);
   }
@@ -330,8 +337,9 @@ void StepConditions::addWallBreaks(const SharedStretch& stretch, Wall& wall, Mes
   }
 }
 
-void StepConditions::addCrossing(const SharedStretch& stretch, const StretchSign& sign, const Lines& lines) {
-  if (!sign.changes()) return;
+const MeshVertex* StepConditions::addCrossing(const SharedStretch& stretch, const StretchSign& sign,
+                                              const Lines& lines) {
+  if (!sign.changes()) return nullptr;
   const PlanLine& other = sign.sign.line;
   const bool isTrace = other.kind == PlanLine::Trace;
   if (lines_.empty()) lines_ = lines();
@@ -339,10 +347,16 @@ void StepConditions::addCrossing(const SharedStretch& stretch, const StretchSign
     const bool isOwnTrace = line.kind == PlanLine::Trace;
     if (isTrace && isOwnTrace && face != sign.sign.face) continue;  // a crossing is tied to one face
     const Index taken = isTrace ? sign.sign.face : isOwnTrace ? face : -1;
-    breaks_.push_back(liftedVertex(kernel_, stretch.faces[0], PlanPoint::crossing(line, other, taken)));
-    return;
+    return &breaks_.emplace_back(liftedVertex(kernel_, stretch.faces[0], PlanPoint::crossing(line, other, taken)));
   }
   isUndecided_ = true;
+  return nullptr;
+}
+
+StepConditions::Along StepConditions::placeAlong(const SharedStretch& stretch, const MeshVertex& place) const {
+  const double along = stretch.direction * (stretch.axis == 0 ? place.x : place.y);
+  const double error = (place.error + kernel_.sign().slack) * 2 + std::fabs(along) * 0x1p-50;
+  return {along - error, along + error};
 }
 
 bool StepConditions::addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry) {
@@ -353,11 +367,15 @@ bool StepConditions::addBreak(const SharedStretch& stretch, const MeshVertex& pl
   return true;
 }
 
+// Covers that begin behind the piece or end before it are left out by their bounds: long borders have hundreds of both.
 bool StepConditions::isFree(const SharedStretch& stretch, const MeshVertex& a, const MeshVertex& b,
                             MeshGeometry& geometry) const {
   if (signBetween(rises_[0], a, b, geometry) > 0 || signBetween(rises_[1], a, b, geometry) < 0) return false;
+  const double begin = placeAlong(stretch, a).low, end = placeAlong(stretch, b).high;
   return std::none_of(covers_.begin(), covers_.end(),
-                      [&](const Cover& cover) { return isBlockedBy(cover, a, b, geometry); }) &&
+                      [&](const Cover& cover) {
+                        return cover.from <= end && cover.to >= begin && isBlockedBy(cover, a, b, geometry);
+                      }) &&
          std::none_of(walls_.begin(), walls_.end(),
                       [&](const Wall& wall) { return isBlockedBy(stretch, wall, a, b, geometry); });
 }

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <functional>
+#include <limits>
+#include <optional>
 #include <vector>
 
 #include "core/base/index_and_box.hpp"
@@ -72,6 +74,8 @@ class StepConditions {
     Index triangle = -1;
     std::array<StretchSign, 3> edges;
     std::array<std::array<StretchSign, 2>, 2> heights;
+    /// Bounds of where it may be over the stretch, along it (placeAlong()).
+    double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
   };
   /// A corner of a vertical triangle. On the line of the stretch, it has its place in the plan, and the sign of its
   /// height over each floor raised by the step and by the clearance.
@@ -132,7 +136,13 @@ class StepConditions {
   bool isBlockedThroughoutByWalls();
   std::size_t groupOf(const Wall& wall);
   void addBreaks(const SharedStretch& stretch, const Lines& lines, MeshGeometry& geometry);
-  void addCrossing(const SharedStretch& stretch, const StretchSign& sign, const Lines& lines);
+  /// Makes the place where a sign changes a break; null where it does not change or no such place was found.
+  const MeshVertex* addCrossing(const SharedStretch& stretch, const StretchSign& sign, const Lines& lines);
+  /// Bounds of a coordinate that ascends along the stretch.
+  struct Along {
+    double low, high;
+  };
+  [[nodiscard]] Along placeAlong(const SharedStretch& stretch, const MeshVertex& place) const;
   /// Makes a place a break where it is strictly within the stretch. Returns whether it is.
   bool addBreak(const SharedStretch& stretch, const MeshVertex& place, MeshGeometry& geometry);
   void addWallBreaks(const SharedStretch& stretch, Wall& wall, MeshGeometry& geometry);
