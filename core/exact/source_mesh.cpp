@@ -269,13 +269,6 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
   };
   NumberedTable<Key> known;
   std::vector<Index> idOf;  // vertex at each known place
-  // Many places are looked up in one table with the vertices, few by bisection: it jumps through all memory.
-  constexpr std::ptrdiff_t kVerticesPerPlace = 8;
-  const bool areVerticesKnown = static_cast<std::ptrdiff_t>(scaled.size()) > sorted / kVerticesPerPlace;
-  for (Index v = 0; areVerticesKnown && v < static_cast<Index>(sorted); ++v) {
-    if (static_cast<std::size_t>(v) % kPerTask == 0) poll();
-    if (mesh.planIds[v] == v && known.insert(keyOf(mesh.vertices[v])).second) idOf.push_back(v);
-  }
   for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
     if (known.insert(keyOf(mesh.vertices[v])).second) idOf.push_back(static_cast<Index>(v));
   std::vector<Index> ids;
@@ -288,9 +281,7 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
     const Vec3 p = withoutNegativeZeros({inUnits(given.x), inUnits(given.y), inUnits(given.z)});
     const auto next = static_cast<Index>(mesh.vertices.size());
     const auto [number, isNew] = known.insert(keyOf(p));
-    if (isNew && areVerticesKnown) {
-      idOf.push_back(next);
-    } else if (isNew) {
+    if (isNew) {
       const auto last = mesh.vertices.begin() + sorted;
       const auto first = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
         return Place{a.x, a.y} < Place{b.x, b.y};
