@@ -49,6 +49,14 @@ double climbOnGrid(const CoordinateGrid& grid, double step) {
   return grid.step == 0 ? step : onGrid(step, grid.step) + grid.step;
 }
 
+// Heights of two floors at a place are off by three steps together where slopes are up to 45 degrees, and the limit
+// itself has one. A rise that grows by less than the higher step is one that was meant to be level.
+StepsAtLimit stepsAtLimit(const CoordinateGrid& grid, double limit) {
+  constexpr double kBelow = 4, kAbove = 16;  // steps of the grid
+  if (grid.step == 0 || limit <= 2 * kBelow * grid.step) return {};
+  return {limit - kBelow * grid.step, limit + kAbove * grid.step};
+}
+
 double usualGridStep(const GridExtent& extent, double metresPerUnit) {
   double side = 0;
   for (std::size_t k = 0; k < 3; ++k) side = std::max(side, extent.triangles.upper[k] - extent.triangles.lower[k]);

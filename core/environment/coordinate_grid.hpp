@@ -35,6 +35,13 @@ namespace footfall::detail {
 /// The height that StepFilter compares with: one step of the grid more than the height of a step.
 [[nodiscard]] double climbOnGrid(const CoordinateGrid& grid, double step);
 
+/// Steps a little lower and higher than a limit of climbOnGrid(), between which rounding decides. Without a grid both
+/// are 0.
+struct StepsAtLimit {
+  double lower = 0, higher = 0;
+};
+[[nodiscard]] StepsAtLimit stepsAtLimit(const CoordinateGrid& grid, double limit);
+
 /// The values that the choice of a step depends on.
 struct GridExtent {
   Box triangles;       ///< the box of all corners of triangles

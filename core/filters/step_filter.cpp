@@ -29,6 +29,8 @@ FilterOutcome applyStepToChosen(const StatePtr& given, double step, double gap, 
               FOOTFALL_TEXT("a step of %1 is too small beside coordinates of up to %2; give at least %3, or check the "
                             "scale and the largest coordinates"));
   state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, state->clearance), height);
+  if (const StepsAtLimit atLimit = stepsAtLimit(state->environment->grid, height); atLimit.lower > 0)
+    state->kernel = kernelWithHeight(kernelWithHeight(state->kernel, atLimit.lower), atLimit.higher);
   StepLinker linker(*state, context, chosen);
   const StepMemory* before = recall.before ? recall.before->stepMemory.get() : nullptr;
   if (before != nullptr && before->step == height && before->height == state->clearance && before->gap == gap) {

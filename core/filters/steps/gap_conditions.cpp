@@ -152,6 +152,8 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
     return signOfDifference(high, low, step_) <= 0 ? std::optional(std::move(piece)) : std::nullopt;
   }
   for (const double sign : {1.0, -1.0}) {
+    const auto [low, high] = std::minmax({sign * p.riseAt(ends[0]), sign * p.riseAt(ends[1])});
+    if (atLimit_ && low >= (*atLimit_)[0] && high > (*atLimit_)[1]) return std::nullopt;
     const double highest = step_ - 4 * p.heightSlack();  // keeps the higher floor itself from being an obstacle
     if (!keepPositive(ends, highest - sign * p.riseAt(ends[0]), highest - sign * p.riseAt(ends[1])))
       return std::nullopt;

@@ -73,6 +73,9 @@ class GapConditions {
   GapConditions(const SourceMesh& mesh, const std::vector<char>& removed, double step, double clearance, double gap)
       : mesh_(mesh), removed_(removed), step_(step), clearance_(clearance), gap_(gap) {}
 
+  /// See StepConditions; scaled.
+  void refuseBetween(double lower, double higher) { atLimit_ = {lower, higher}; }
+
   /// The least sine of the angle between a way and a border, and of the angle by which two borders miss a right angle:
   /// 7 degrees.
   static constexpr double kLeastSine = 0.125;
@@ -108,6 +111,7 @@ class GapConditions {
   const SourceMesh& mesh_;
   const std::vector<char>& removed_;
   double step_, clearance_, gap_;
+  std::optional<std::array<double, 2>> atLimit_;
   std::vector<std::int32_t> stack_;
 };
 

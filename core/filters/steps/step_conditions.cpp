@@ -72,11 +72,30 @@ StepConditions::StretchSign StepConditions::edgeSign(Index triangle, int k) cons
   return {{{PlanLine::Edge, std::min(a, b), std::max(a, b)}, -1}, inside};
 }
 
+// The rise is a linear function: it is least and largest at the ends.
+bool StepConditions::isOnlyAtLimit(const SharedStretch& stretch, MeshGeometry& geometry) const {
+  for (const int side : {0, 1}) {
+    const int toward = side == 0 ? 1 : -1;
+    const StretchSign& rise = rises_[side];
+    if (std::max(rise.begin * toward, rise.end * toward) <= 0) continue;
+    const bool endsBeyond = rise.end * toward > 0;
+    const auto overLevel = [&](Index level, const MeshVertex& place) {
+      const LinearSign sign{{PlanLine::Trace, rise.sign.line.a, toward * level}, rise.sign.face};
+      return toward * sideAt(sign, place, geometry);
+    };
+    const MeshVertex &within = endsBeyond ? stretch.begin : stretch.end,
+                     &beyond = endsBeyond ? stretch.end : stretch.begin;
+    if (overLevel((*atLimit_)[0], within) >= 0 && overLevel((*atLimit_)[1], beyond) > 0) return true;
+  }
+  return false;
+}
+
 std::vector<std::array<MeshVertex, 2>> StepConditions::find(const SharedStretch& stretch, const Lines& lines,
                                                             MeshGeometry& geometry) {
   std::vector<std::array<MeshVertex, 2>> pieces;
   compareFloors(stretch, geometry);
   if ((rises_[0].begin > 0 && rises_[0].end > 0) || (rises_[1].begin < 0 && rises_[1].end < 0)) return pieces;
+  if (atLimit_ && isOnlyAtLimit(stretch, geometry)) return pieces;
   if (!listObstacles(stretch, geometry)) return pieces;
   isUndecided_ = false;
   lines_.clear();

@@ -44,6 +44,10 @@ class StepConditions {
   /// out of the environment.
   StepConditions(const PlanKernel& kernel, const std::vector<char>& removed, Index step, Index height);
 
+  /// Two levels, one below the step and one above it. A stretch whose rise goes from the lower one or more to beyond
+  /// the higher one is not linked: only the rounding of coordinates lets a piece of it be within the step.
+  void refuseBetween(Index lower, Index higher) { atLimit_ = {lower, higher}; }
+
   /// The pieces that can be stepped over, in order along the stretch; neighbouring pieces are joined. `lines` returns
   /// the lines that the stretch is known to lie on. Where none of them makes a crossing, there are no pieces
   /// (undecided()).
@@ -119,6 +123,7 @@ class StepConditions {
     return level > 0 ? kernel_.heights()[level - 1] : -kernel_.heights()[-level - 1];
   }
   [[nodiscard]] StretchSign edgeSign(Index triangle, int k) const;
+  [[nodiscard]] bool isOnlyAtLimit(const SharedStretch& stretch, MeshGeometry& geometry) const;
   /// Returns false when one of the obstacles blocks the whole stretch; then not all are listed.
   bool listObstacles(const SharedStretch& stretch, MeshGeometry& geometry);
   /// Returns false when the whole stretch is on the outer side of an edge.
@@ -170,7 +175,8 @@ class StepConditions {
   const SourceMesh& mesh_;
   const std::vector<char>& removed_;
   Index step_, height_;
-  std::array<Index, 2> levels_;       ///< step and height
+  std::array<Index, 2> levels_;  ///< step and height
+  std::optional<std::array<Index, 2>> atLimit_;
   std::array<StretchSign, 2> rises_;  ///< second floor over the first one, raised by the step and lowered by it
   int floorCount_ = 2;  ///< 1: both floors are one plane, so the signs of the second one are those of the first
   std::vector<Cover> covers_;

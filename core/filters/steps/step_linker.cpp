@@ -11,6 +11,7 @@
 #include "core/base/index_and_box.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
+#include "core/environment/coordinate_grid.hpp"
 #include "core/mesh/triangle_corners.hpp"
 
 namespace footfall::detail {
@@ -44,11 +45,18 @@ StepLinker::Worker StepLinker::makeWorker(const Limits& limits, double gap) cons
   const PlanKernel& kernel = *splits_.kernel();
   const int scale = kernel.mesh().grid.scaleExponent();
   const auto scaled = [&](double length) { return std::ldexp(length, scale); };
-  return {{kernel, splits_.mesh().vertices},
-          {kernel, state_.removed, kernel.levelOf(limits.step).value(), kernel.levelOf(limits.height).value()},
-          {kernel.mesh(), state_.removed, scaled(limits.step), scaled(limits.height), scaled(gap)},
-          {},
-          {}};
+  Worker worker{{kernel, splits_.mesh().vertices},
+                {kernel, state_.removed, kernel.levelOf(limits.step).value(), kernel.levelOf(limits.height).value()},
+                {kernel.mesh(), state_.removed, scaled(limits.step), scaled(limits.height), scaled(gap)},
+                {},
+                {}};
+  const StepsAtLimit atLimit = stepsAtLimit(state_.environment->grid, limits.step);
+  const auto lower = kernel.levelOf(atLimit.lower), higher = kernel.levelOf(atLimit.higher);
+  if (lower && higher) {
+    worker.conditions.refuseBetween(*lower, *higher);
+    worker.gaps.refuseBetween(scaled(atLimit.lower), scaled(atLimit.higher));
+  }
+  return worker;
 }
 
 Bounds StepLinker::boundsOf(const MeshBorder& border) const {

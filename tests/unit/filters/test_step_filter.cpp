@@ -126,6 +126,31 @@ class TestStepFilter : public QObject {
     QCOMPARE(findMeshError(mesh), std::string());
   }
 
+  // A ramp that leaves a floor at exactly the step is linked at a point, which does not count. The step of a grid that
+  // the limit includes makes no interval of it. Borders that are one step apart along all of their length, but for
+  // rounding, are linked as before.
+  void gridLinksNoRampThatBeginsAtTheLimit() {
+    const auto linksOn = [](const Soup& soup, double grid, double gap) {
+      const auto environment = std::make_shared<Environment>(*soup.environment());
+      environment->grid.step = grid;
+      return navigationMesh(runFilters(environment, minimalPipeline(2) + "\nStepFilter 0.5 " + std::to_string(gap)))
+          .links.size();
+    };
+    constexpr double kGrid = 0x1p-12;
+    for (const double apart : {0.0, 0.0625}) {
+      const double gap = apart > 0 ? 0.125 : 0;
+      Soup begins, parallel, crosses;
+      begins.floor(0, -2 - apart, 4, -apart, 0).ramp(0, 0, 4, 2, 0.5, 2.5);
+      QCOMPARE(linksOn(begins, 0, gap), std::size_t{0});
+      QCOMPARE(linksOn(begins, kGrid, gap), std::size_t{0});
+      // What is lower than the limit for a while is linked so far.
+      crosses.floor(0, -2 - apart, 4, -apart, 0).ramp(0, 0, 4, 2, 0.25, 2.25);
+      QVERIFY(linksOn(crosses, kGrid, gap) >= 1);
+      parallel.ramp(0, -2 - apart, 4, -apart, 0, 2).ramp(0, 0, 4, 2, 0.5, 2.5 + 3 * kGrid);
+      QVERIFY(linksOn(parallel, kGrid, gap) >= 1);
+    }
+  }
+
   void areaFilterKeepsStairs() {
     const Soup soup = stairs(9, 0.25);
     QCOMPARE(area(linked(soup, 2, 0.25, "AreaFilter 4\n")), 18.0);  // treads have 2 each
