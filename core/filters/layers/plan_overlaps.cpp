@@ -33,6 +33,7 @@
 #include <utility>
 
 #include "core/base/box_tree.hpp"
+#include "core/base/main_direction.hpp"
 #include "core/base/parallel.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/unfilled_array.hpp"
@@ -62,6 +63,7 @@ class OverlapFinder {
       context_.checkCancelled();
       for (std::size_t v = range.begin(); v != range.end(); ++v) places_.fill(v, planPlaceOf(mesh_.vertices[v]));
     });
+    turn_ = findTurn();
   }
 
   /// False when there are more pairs than `most`.
@@ -93,7 +95,7 @@ class OverlapFinder {
     lookUpBorders(tree);
     forEach(kept.size(), [&](Local& local, std::size_t i) {
       const PlanTriangle plan = planOf(kept[i]);
-      tree.visitOverlapping(planBoundsOf(plan), [&](Index o) { test(local, kept[i], plan, o); });
+      tree.visitOverlapping(boundsOf(plan), [&](Index o) { test(local, kept[i], plan, o); });
     });
   }
 
@@ -236,7 +238,34 @@ class OverlapFinder {
     return planTriangleOf(mesh_.triangles[t], [this](Index v) -> const PlanPlace& { return places_[v]; });
   }
 
-  [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return planBoundsOf(planOf(t)); }
+  /// The direction that most edges follow, in a sample; nothing where that is an axis.
+  [[nodiscard]] std::optional<std::array<double, 2>> findTurn() const {
+    constexpr std::size_t kTriangles = MainDirection::kEnough / 3;
+    const std::size_t count = mesh_.triangles.size(), step = std::max<std::size_t>(count / kTriangles, 1);
+    MainDirection direction;
+    for (std::size_t t = 0; t < count; t += step) {
+      const PlanTriangle plan = planOf(static_cast<Index>(t));
+      for (std::size_t a = 0; a < 3; ++a)
+        direction.add(plan.x[(a + 1) % 3] - plan.x[a], plan.y[(a + 1) % 3] - plan.y[a]);
+    }
+    return direction.find();
+  }
+
+  /// A box of a triangle, along the main direction of the level: those of triangles that overlap touch each other.
+  [[nodiscard]] Tree::Bounds boundsOf(const PlanTriangle& plan) const {
+    if (!turn_) return planBoundsOf(plan);
+    const auto& [x, y] = *turn_;
+    PlanTriangle turned = plan;
+    double size = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      turned.x[k] = x * plan.x[k] + y * plan.y[k];
+      turned.y[k] = x * plan.y[k] - y * plan.x[k];
+      size = std::max({size, std::fabs(plan.x[k]), std::fabs(plan.y[k])});
+    }
+    turned.error = 2 * plan.error + size * kRoundingOfTurn;
+    return planBoundsOf(turned);
+  }
+  [[nodiscard]] Tree::Bounds boundsOf(Index t) const { return boundsOf(planOf(t)); }
 
   [[nodiscard]] Tree treeOf(const std::vector<Index>& triangles) const {
     Tree tree;
@@ -316,7 +345,7 @@ class OverlapFinder {
     for (std::size_t i = 0; i < triangles.size() && touching < kMostTouching; i += step, ++sampled) {
       const Index t = triangles[i];
       const PlanTriangle plan = planOf(t);
-      tree.visitOverlapping(planBoundsOf(plan), [&](Index o) {
+      tree.visitOverlapping(boundsOf(plan), [&](Index o) {
         if (o == t || ++touching > kMostTouching) return;
         if (overlaps(locals_.local(), t, plan, o)) ++overlapping;
       });
@@ -376,7 +405,7 @@ class OverlapFinder {
       local.bounds.clear();
       for (Index place = first; place < last; ++place) {
         plans[place - first] = planOf(borders.idAt(place));
-        local.bounds.push_back(planBoundsOf(plans[place - first]));
+        local.bounds.push_back(boundsOf(plans[place - first]));
       }
       borders.visitOverlapping(first, local.bounds, [&](Index place, Index o) {
         test(local, borders.idAt(place), plans[place - first], o);
@@ -392,7 +421,7 @@ class OverlapFinder {
     forEach(queries.size(), [&](Local& local, std::size_t i) {
       const Index t = queries[i];
       const PlanTriangle plan = planOf(t);
-      others_.visitOverlapping(planBoundsOf(plan), [&](Index o) {
+      others_.visitOverlapping(boundsOf(plan), [&](Index o) {
         if (round_[o] > round || (round_[o] == round && o < t)) test(local, t, plan, o);
       });
     });
@@ -410,6 +439,7 @@ class OverlapFinder {
 
   static constexpr std::size_t kPerTask = 32, kFirstBatch = 256, kVerticesPerTask = 2048, kPolled = 4096;
   static constexpr double kBoxOfNeedle = 64;
+  static constexpr double kRoundingOfTurn = 0x1p-50;  ///< two products with parts of a unit vector, and their sum
   /// A pair is linked with 15 others, or found once from either triangle.
   static constexpr std::size_t kMostTimesFound = 16;
   static constexpr std::size_t kSampled = 128, kMostTouching = std::size_t{1} << 15;
@@ -421,6 +451,7 @@ class OverlapFinder {
   RunContext& context_;
   const PlanKernel& kernel_;
   PerThread<Local> locals_;
+  std::optional<std::array<double, 2>> turn_;  ///< of the boxes that boundsOf() returns
   UnfilledArray<PlanPlace> places_;  ///< of the vertices: a third of what they take, and looked up all the time
   std::vector<Index> across_;        ///< for each side the triangle beyond it when it is inner, else -1
   std::vector<Index> sheet_;         ///< findFlatSheets(); empty where there are few needles
