@@ -33,17 +33,25 @@ inline bool isBetween(const AxisGate& gate, FieldVector p) {
   return turn != 0;
 }
 
-/// Gates follow each other: an end that roundings have put behind the gate before is the end of that one. An end that
-/// is farther than `near` from it is behind the gate's line only, beside the gate.
-inline void keepAhead(TautGate& gate, const TautGate& before, double near) {
-  const FieldVector way = before.left - before.right;
-  if (cross(way, gate.left - before.right) > 0 && lengthOf(gate.left - before.left) <= near) {
-    gate.left = before.left;
-    gate.leftEnd = before.leftEnd;
-  }
-  if (cross(way, gate.right - before.right) > 0 && lengthOf(gate.right - before.right) <= near) {
+/// Puts the ends of a gate in order behind the gate before, exactly: each end lies ahead of the line between the last
+/// end on its own side and the last one on the other side. An end that does not is the one of the gate before. Without
+/// roundings no end lies behind (core/navigation/body_search.hpp), so that this changes a way by no more than they do.
+inline void keepAhead(TautGate& gate, const TautGate& before) {
+  const auto isAhead = [](FieldVector right, FieldVector left, FieldVector end) {
+    return turnOf(right, left, end) <= 0;
+  };
+  const bool isRightFirst =
+      isAhead(before.right, before.left, gate.right) && isAhead(gate.right, before.left, gate.left);
+  gate.isLeftFirst =
+      !isRightFirst && isAhead(before.right, before.left, gate.left) && isAhead(before.right, gate.left, gate.right);
+  if (isRightFirst || gate.isLeftFirst) return;
+  if (!isAhead(before.right, before.left, gate.right)) {
     gate.right = before.right;
     gate.rightEnd = before.rightEnd;
+  }
+  if (!isAhead(gate.right, before.left, gate.left)) {
+    gate.left = before.left;
+    gate.leftEnd = before.leftEnd;
   }
 }
 

@@ -17,10 +17,6 @@ namespace {
 /// A search that has looked at so many orders goes on from the best few of each vertex only, so that it ends.
 constexpr std::size_t kManyOrders = 50000, kMostOrders = 4;
 
-/// Ends of gates that lie behind the gate before by less than this share of the mesh's extent count as moved by
-/// roundings. No bound is proven. The share changes which way is found, never whether there is one.
-constexpr double kNear = 0x1p-20;
-
 /// A length that is longer by this factor only, by rounding, may be as short.
 constexpr double kSlack = 1 + 0x1p-31;
 
@@ -41,8 +37,7 @@ struct BodyStep {
 /// Gates of a disc, made from gates of the axis.
 class GateMaker {
  public:
-  GateMaker(const CorridorNetwork& network, double radius)
-      : network_(network), radius_(radius), cornerRadius_(radius * polygonFactor()) {}
+  GateMaker(const CorridorNetwork& network, double radius) : network_(network), least_(radius * polygonFactor()) {}
 
   /// Adds gates behind those from number `begin` on. A way that goes on from another one has its last gate again, in
   /// most cases.
@@ -60,12 +55,11 @@ class GateMaker {
 
  private:
   [[nodiscard]] FieldVector endOf(const CorridorGate& gate, int side) const {
-    const double least = gate.isCorner[side] ? cornerRadius_ : radius_;
-    return gate.distance > least ? gate.border[side] + gate.away[side] * least : gate.place;
+    return gate.distance > least_ ? gate.border[side] + gate.away[side] * least_ : gate.place;
   }
 
   const CorridorNetwork& network_;
-  double radius_, cornerRadius_;
+  double least_;  ///< from an end to the border
 };
 
 class BodySearch {
@@ -145,8 +139,7 @@ class BodySearch {
     for (std::size_t s = label.firstStep; s < label.lastStep; ++s) gates_.add(steps_[s], begin, gates);
     for (std::size_t i = begin; i < gates.size(); ++i)
       if (i > begin || label.before != kNone)
-        keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends,
-                  kNear * network_.field().surface().scale);
+        keepAhead(gates[i].ends, i > begin ? gates[i - 1].ends : labels_[label.before].last.ends);
     for (std::size_t i = begin; i < gates.size() && firstGate + (i - begin) < label.nearGates; ++i)
       gates[i].ends.isOpen = isBetween(gates[i], from_.place);
   }

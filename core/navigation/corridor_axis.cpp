@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 #include <tuple>
 #include <utility>
 
@@ -47,12 +48,14 @@ struct FaceAxis {
   static constexpr std::uint32_t kOwn = 0x80000000;
   std::vector<AxisNode> nodes;
   std::vector<AxisArc> arcs;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;  ///< stretches of one region, by number
 };
 
 /// A stretch of the border of what is left of a face, the feature nearest there, and the node at its end.
 struct AxisRegion {
   std::uint32_t feature = 0, node = 0;
-  FieldVector place;  ///< of the node
+  std::uint32_t stretch = 0;  ///< the number of the label of a mesh edge, or of the corner of the border
+  FieldVector place;          ///< of the node
 };
 
 /// Takes out the regions of a face one by one.
@@ -79,7 +82,7 @@ class FaceForest {
       takeOutRegion(best);
     }
     if (regions_.size() == 2 && regions_[0].feature != regions_[1].feature)
-      addArc(regions_[0].node, regions_[1].node, regions_[0].feature, regions_[1].feature);
+      addArc(regions_[0].node, regions_[1].node, regions_[0], regions_[1]);
     return std::move(axis_);
   }
 
@@ -116,9 +119,11 @@ class FaceForest {
       const FieldVector p = middleOf(feature(own.feature), feature(last.feature), last.place, own.place);
       return {p, faultAt(p, own.feature)};
     }
-    // The region of a corner begins between its own edges.
-    if (pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
-        pairOf(field_, own.feature, next.feature) == AxisPair::Joined && feature(own.feature).isCorner())
+    // The region of a corner begins at the corner, between its own edges. Elsewhere, a stretch between them has no
+    // width.
+    if (feature(own.feature).isCorner() && (isAtFeature(own, last.place) || isAtFeature(own, own.place)) &&
+        pairOf(field_, own.feature, last.feature) == AxisPair::Joined &&
+        pairOf(field_, own.feature, next.feature) == AxisPair::Joined)
       return {own.place, kFarAway};
     std::array<FieldVector, 2> places;
     const int count = equallyFar(
@@ -140,15 +145,27 @@ class FaceForest {
     return end.fault <= fault ? end : End{middle, fault};
   }
 
-  void addArc(std::uint32_t from, std::uint32_t to, std::uint32_t a, std::uint32_t b) {
-    if (from != to) axis_.arcs.push_back({from, to, {std::min(a, b), std::max(a, b)}, face_});
+  /// Returns whether a place is the corner that a region belongs to.
+  [[nodiscard]] bool isAtFeature(const AxisRegion& region, FieldVector p) const {
+    const FieldVector corner = feature(region.feature).place;
+    return p.x == corner.x && p.y == corner.y;
+  }
+
+  /// The sides follow from the order of the regions around the face, however places are rounded.
+  void addArc(std::uint32_t from, std::uint32_t to, const AxisRegion& left, const AxisRegion& right) {
+    if (from == to) return;
+    const bool isFirstLeft = left.feature < right.feature;
+    const AxisRegion &first = isFirstLeft ? left : right, &second = isFirstLeft ? right : left;
+    axis_.arcs.push_back(
+        {from, to, {first.feature, second.feature}, {first.stretch, second.stretch}, isFirstLeft, face_});
   }
 
   void takeOutRegion(std::size_t i) {
     const std::size_t last = before(i), next = behind(i);
     if (regions_[last].feature == regions_[next].feature) {
-      addArc(regions_[last].node, regions_[i].node, regions_[i].feature, regions_[last].feature);
+      addArc(regions_[last].node, regions_[i].node, regions_[last], regions_[i]);
       // Both neighbours are one region, whose end is that of the second one.
+      axis_.joined.emplace_back(regions_[last].stretch, regions_[next].stretch);
       regions_[next].feature = regions_[last].feature;
       erase({i, last});
       return;
@@ -159,8 +176,8 @@ class FaceForest {
       distance = std::min(distance, distanceTo(feature(regions_[k].feature), place));
     const auto node = static_cast<std::uint32_t>(FaceAxis::kOwn + axis_.nodes.size());
     axis_.nodes.push_back({place, distance, face_});
-    addArc(regions_[last].node, node, regions_[last].feature, regions_[i].feature);
-    addArc(regions_[i].node, node, regions_[i].feature, regions_[next].feature);
+    addArc(regions_[last].node, node, regions_[last], regions_[i]);
+    addArc(regions_[i].node, node, regions_[i], regions_[next]);
     regions_[last].node = node;
     regions_[last].place = place;
     erase({i});
@@ -201,11 +218,15 @@ class AxisMaker {
       for (std::size_t f = begin; f < end; ++f) {
         const auto face = static_cast<std::uint32_t>(f);
         if (!surface_.takesPart(face)) continue;
-        std::vector<AxisRegion> regions = regionsOf(face);
+        std::vector<std::pair<std::uint32_t, std::uint32_t>> joined;
+        std::vector<AxisRegion> regions = regionsOf(face, joined);
         if (regions.size() >= 2) pieces[f] = FaceForest(field_, face, std::move(regions), poll_).make();
+        pieces[f].joined.insert(pieces[f].joined.end(), joined.begin(), joined.end());
       }
     });
+    DisjointSets regions(firstStretch_.back() + surface_.topology.fanVertices.size());
     for (const FaceAxis& piece : pieces) {
+      for (const auto& [a, b] : piece.joined) regions.unite(static_cast<Index>(a), static_cast<Index>(b));
       const auto first = static_cast<std::uint32_t>(axis_.nodes.size());
       const auto number = [&](std::uint32_t node) {
         return node >= FaceAxis::kOwn ? first + (node - FaceAxis::kOwn) : node;
@@ -217,14 +238,15 @@ class AxisMaker {
         axis_.arcs.push_back(arc);
       }
     }
-    joinNear();
+    joinNear(regions);
+    numberRegions(regions);
     return std::move(axis_);
   }
 
  private:
   /// Makes one node of those that very short arcs join. Where features are equally near along a whole stretch, regions
-  /// without area may lie between them, with an arc on either side: such pairs go.
-  void joinNear() {
+  /// without area may lie between them, with an arc on either side: such pairs go, and their regions become one.
+  void joinNear(DisjointSets& regions) {
     const double least = 4 * field_.margin();
     DisjointSets sets(axis_.nodes.size());
     for (const AxisArc& arc : axis_.arcs)
@@ -238,7 +260,10 @@ class AxisMaker {
     for (AxisArc arc : axis_.arcs) {
       arc.from = static_cast<std::uint32_t>(sets.find(static_cast<Index>(arc.from)));
       arc.to = static_cast<std::uint32_t>(sets.find(static_cast<Index>(arc.to)));
-      if (arc.from > arc.to) std::swap(arc.from, arc.to);
+      if (arc.from > arc.to) {
+        std::swap(arc.from, arc.to);
+        arc.isFirstLeft = !arc.isFirstLeft;
+      }
       if (arc.from != arc.to) arcs.push_back(arc);
     }
     const auto key = [](const AxisArc& arc) { return std::tie(arc.from, arc.to, arc.features); };
@@ -246,8 +271,28 @@ class AxisMaker {
     axis_.arcs.clear();
     for (std::size_t i = 0, end = 0; i < arcs.size(); i = end) {
       while (end < arcs.size() && key(arcs[end]) == key(arcs[i])) ++end;
-      if ((end - i) % 2 == 1) axis_.arcs.push_back(arcs[i]);
+      std::size_t leftCount = 0;
+      for (const AxisArc& same : std::span(arcs).subspan(i, end - i)) {
+        leftCount += same.isFirstLeft ? 1 : 0;
+        for (const int side : {0, 1})
+          regions.unite(static_cast<Index>(arcs[i].regions[side]), static_cast<Index>(same.regions[side]));
+      }
+      if ((end - i) % 2 == 0) continue;
+      axis_.arcs.push_back(arcs[i]);
+      axis_.arcs.back().isFirstLeft = 2 * leftCount > end - i;
     }
+  }
+
+  void numberRegions(DisjointSets& regions) {
+    Index count = 0;
+    const std::vector<Index> numbers = regions.numbers(count);
+    axis_.reachesBorder.assign(static_cast<std::size_t>(count), 0);
+    for (std::uint32_t e = 0; e < labels_.size(); ++e)
+      if (surface_.edges[e].isBorder() && !labels_[e].empty()) axis_.reachesBorder[numbers[firstStretch_[e]]] = 1;
+    for (std::uint32_t fan = 0; fan < surface_.topology.fanVertices.size(); ++fan)
+      axis_.reachesBorder[numbers[firstStretch_.back() + fan]] = 1;
+    for (AxisArc& arc : axis_.arcs)
+      for (std::uint32_t& region : arc.regions) region = static_cast<std::uint32_t>(numbers[region]);
   }
 
   void addNode(FieldVector place, std::uint32_t a, std::uint32_t b, std::uint32_t face) {
@@ -267,6 +312,9 @@ class AxisMaker {
           labels_[e] = {{field_.featureOfEdge(edge), surface_.edges[e].length}};
       }
     });
+    firstStretch_.assign(1, 0);
+    for (const auto& labels : labels_)
+      firstStretch_.push_back(firstStretch_.back() + static_cast<std::uint32_t>(labels.size()));
     nodes_.resize(labels_.size());
     for (std::size_t e = 0; e < labels_.size(); ++e) {
       nodes_[e] = static_cast<std::uint32_t>(axis_.nodes.size());
@@ -289,16 +337,21 @@ class AxisMaker {
       }
   }
 
-  [[nodiscard]] std::vector<AxisRegion> regionsOf(std::uint32_t face) const {
+  /// The stretches around a face, in order. Neighbours that are one region are one stretch, and in `joined`.
+  [[nodiscard]] std::vector<AxisRegion> regionsOf(std::uint32_t face,
+                                                  std::vector<std::pair<std::uint32_t, std::uint32_t>>& joined) const {
     std::vector<AxisRegion> regions;
     const auto add = [&](const AxisRegion& region) {
-      if (!regions.empty() && regions.back().feature == region.feature) regions.pop_back();
+      if (!regions.empty() && regions.back().feature == region.feature) {
+        joined.emplace_back(regions.back().stretch, region.stretch);
+        regions.pop_back();
+      }
       regions.push_back(region);
     };
     for (int side = 0; side < 3; ++side) {
       const std::uint32_t fan = surface_.topology.fans[face][side], own = field_.featureOfFan(fan);
       // The region of a corner of the border may touch the border of the face nowhere else.
-      if (own != kNoFeature) add({own, cornerNodes_ + fan, surface_.corner(face, side)});
+      if (own != kNoFeature) add({own, cornerNodes_ + fan, firstStretch_.back() + fan, surface_.corner(face, side)});
       const std::uint32_t half = surface_.halves[face][side], edge = half >> 1;
       const auto& labels = labels_[edge];
       const std::size_t count = labels.size();
@@ -308,10 +361,13 @@ class AxisMaker {
         const bool isLast = i + 1 == count;
         const std::uint32_t corner = cornerNodes_ + surface_.topology.fans[face][(side + 1) % 3];
         const std::uint32_t end = isLast ? corner : static_cast<std::uint32_t>(node);
-        add({labels[at].feature, end, axis_.nodes[end].place});
+        add({labels[at].feature, end, firstStretch_[edge] + static_cast<std::uint32_t>(at), axis_.nodes[end].place});
       }
     }
-    while (regions.size() > 1 && regions.front().feature == regions.back().feature) regions.pop_back();
+    while (regions.size() > 1 && regions.front().feature == regions.back().feature) {
+      joined.emplace_back(regions.front().stretch, regions.back().stretch);
+      regions.pop_back();
+    }
     if (regions.size() == 1) regions.clear();
     return regions;
   }
@@ -321,6 +377,7 @@ class AxisMaker {
   Poll poll_;
   std::vector<std::vector<AxisLabel>> labels_;  ///< of each edge
   std::vector<std::uint32_t> nodes_;            ///< the first node of each edge
+  std::vector<std::uint32_t> firstStretch_;     ///< of each edge, the number of its first label; and of all labels
   std::uint32_t cornerNodes_ = 0;
   CorridorAxis axis_;
 };
@@ -359,6 +416,12 @@ double areaBeside(const FieldFeature& feature, const FieldFeature& other, FieldV
   if (!(p.height > 0)) return std::fabs(width) * (a + b) / 2;
   return std::fabs((p.to * p.to * p.to - p.from * p.from * p.from) / 3 + p.height * p.height * (p.to - p.from)) /
          (2 * p.height);
+}
+
+double areaOf(const ClearanceField& field, const CorridorAxis& axis, const AxisArc& arc) {
+  const FieldFeature &f = field.features()[arc.features[0]], &g = field.features()[arc.features[1]];
+  const FieldVector from = axis.nodes[arc.from].place, to = axis.nodes[arc.to].place;
+  return areaBeside(f, g, from, to) + areaBeside(g, f, from, to);
 }
 
 double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to) {

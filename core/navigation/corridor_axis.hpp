@@ -22,6 +22,8 @@ struct AxisNode {
 struct AxisArc {
   std::uint32_t from = 0, to = 0;           ///< nodes
   std::array<std::uint32_t, 2> features{};  ///< ascending
+  std::array<std::uint32_t, 2> regions{};   ///< of both features, on both sides of the arc
+  bool isFirstLeft = false;                 ///< from `from` to `to`, the first feature is on the left
   std::uint32_t face = 0;
 };
 
@@ -37,6 +39,9 @@ enum class AxisPair {
 struct CorridorAxis {
   std::vector<AxisNode> nodes;
   std::vector<AxisArc> arcs;
+  /// For each region, whether it reaches its feature. Roundings can divide the places of one feature into several
+  /// regions (core/navigation/axis_islands.hpp).
+  std::vector<char> reachesBorder;
 };
 
 /// The nodes of each mesh edge are computed once and shared by both of its faces. Within a face, the regions of
@@ -49,6 +54,9 @@ AxisPair pairOf(const ClearanceField& field, std::uint32_t a, std::uint32_t b);
 
 /// The area in the plan between a piece of axis and the nearest places of a feature, where the pair is not Joined.
 double areaBeside(const FieldFeature& feature, const FieldFeature& other, FieldVector from, FieldVector to);
+
+/// The area in the plan between an arc and the nearest places of both features.
+double areaOf(const ClearanceField& field, const CorridorAxis& axis, const AxisArc& arc);
 
 /// The length of a piece of axis between two features, where the pair is not Joined.
 double axisLength(const FieldFeature& a, const FieldFeature& b, FieldVector from, FieldVector to);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.hpp"
-#include "core/exact/source_predicates.hpp"
+#include "core/navigation/axis_islands.hpp"
 #include "core/navigation/axis_vertex.hpp"
 
 namespace footfall::detail {
@@ -18,12 +18,8 @@ class GraphMaker {
   GraphMaker(const ClearanceField& field, const CorridorAxis& axis, Poll poll)
       : field_(field), axis_(axis), poll_(poll), runs_(field.features().size()) {
     makeRuns();
-    isKept_.resize(axis.arcs.size());
-    pairs_.resize(axis.arcs.size());
-    for (std::size_t a = 0; a < axis.arcs.size(); ++a) {
-      pairs_[a] = pairOf(field, axis.arcs[a].features[0], axis.arcs[a].features[1]);
-      isKept_[a] = pairs_[a] != AxisPair::Joined;
-    }
+    isLeftOut_ = arcsToLeaveOut(field, axis, poll);
+    leaveOutSmallParts(field, axis, isLeftOut_);
     makeEnds();
     graph_.hidden.assign(axis.nodes.size(), 0);
   }
@@ -68,7 +64,7 @@ class GraphMaker {
   [[nodiscard]] std::vector<std::uint32_t> arcsAt(std::uint32_t node) const {
     std::vector<std::uint32_t> arcs;
     for (std::uint32_t i = starts_[node]; i < starts_[node + 1]; ++i)
-      if (isKept_[ends_[i]] != 0) arcs.push_back(ends_[i]);
+      if (isLeftOut_[ends_[i]] == 0) arcs.push_back(ends_[i]);
     return arcs;
   }
   [[nodiscard]] std::uint32_t otherEnd(std::uint32_t arc, std::uint32_t node) const {
@@ -80,7 +76,7 @@ class GraphMaker {
   std::vector<std::uint32_t> widestNodes() {
     DisjointSets sets(axis_.nodes.size());
     for (std::size_t a = 0; a < axis_.arcs.size(); ++a)
-      if (isKept_[a] != 0) sets.unite(static_cast<Index>(axis_.arcs[a].from), static_cast<Index>(axis_.arcs[a].to));
+      if (isLeftOut_[a] == 0) sets.unite(static_cast<Index>(axis_.arcs[a].from), static_cast<Index>(axis_.arcs[a].to));
     parts_.resize(axis_.nodes.size());
     std::vector<std::uint32_t> best(axis_.nodes.size(), kNoArc), nodes;
     for (std::uint32_t n = 0; n < axis_.nodes.size(); ++n) {
@@ -107,13 +103,15 @@ class GraphMaker {
       if (n % 4096 == 0) poll_();
       if (axis_.nodes[n].distance > 4 * field_.margin()) continue;
       for (const std::uint32_t first : arcsAt(n)) {
-        if (pairs_[first] != AxisPair::Convex || isKept_[first] == 0) continue;
+        if (isLeftOut_[first] != 0 ||
+            pairOf(field_, axis_.arcs[first].features[0], axis_.arcs[first].features[1]) != AxisPair::Convex)
+          continue;
         const auto runs = runsOf(first);
         std::uint32_t node = n, arc = first;
         double hidden = 0;
         for (;;) {
-          isKept_[arc] = 0;
-          hidden += areaOf(arc);
+          isLeftOut_[arc] = 1;
+          hidden += areaOf(field_, axis_, axis_.arcs[arc]);
           node = otherEnd(arc, node);
           const auto next = arcsAt(node);
           if (next.size() != 1 || runsOf(next[0]) != runs) break;
@@ -122,13 +120,6 @@ class GraphMaker {
         graph_.hidden[node] += hidden;
       }
     }
-  }
-
-  [[nodiscard]] double areaOf(std::uint32_t a) const {
-    const AxisArc& arc = axis_.arcs[a];
-    const FieldFeature &f = field_.features()[arc.features[0]], &g = field_.features()[arc.features[1]];
-    const FieldVector from = axis_.nodes[arc.from].place, to = axis_.nodes[arc.to].place;
-    return areaBeside(f, g, from, to) + areaBeside(g, f, from, to);
   }
 
   [[nodiscard]] bool goesOn(std::uint32_t node, std::uint32_t arc, std::uint32_t& next) const {
@@ -142,7 +133,7 @@ class GraphMaker {
     std::vector<char> isDone(axis_.arcs.size(), 0);
     for (std::uint32_t a = 0; a < axis_.arcs.size(); ++a) {
       if (a % 4096 == 0) poll_();
-      if (isKept_[a] == 0 || isDone[a] != 0) continue;
+      if (isLeftOut_[a] != 0 || isDone[a] != 0) continue;
       // Back to where the chain begins, then along it.
       std::uint32_t node = axis_.arcs[a].from, arc = a, next = 0;
       while (goesOn(node, arc, next) && next != a) {
@@ -159,11 +150,11 @@ class GraphMaker {
     for (std::uint32_t next = 0;; arc = next) {
       isDone[arc] = 1;
       chain.faces.push_back(axis_.arcs[arc].face);
-      chain.area += areaOf(arc);
+      chain.area += areaOf(field_, axis_, axis_.arcs[arc]);
       const std::uint32_t begin = node;
       node = otherEnd(arc, node);
       chain.length += lengthBetween(arc, begin, node);
-      if (chain.faces.size() == 1) setSides(chain, arc, begin, node);
+      if (chain.faces.size() == 1) setSides(chain, axis_.arcs[arc], begin);
       if (!goesOn(node, arc, next) || isDone[next] != 0) break;
     }
     chain.to = node;
@@ -176,21 +167,17 @@ class GraphMaker {
                       axis_.nodes[from].place, axis_.nodes[to].place);
   }
 
-  void setSides(CorridorChain& chain, std::uint32_t arc, std::uint32_t from, std::uint32_t to) const {
-    const auto [a, b] = axis_.arcs[arc].features;
-    const FieldVector p = axis_.nodes[from].place, q = axis_.nodes[to].place, middle = (p + q) * 0.5;
-    const FieldVector across = field_.features()[a].nearestTo(middle) - field_.features()[b].nearestTo(middle);
-    const bool isLeft = cross(q - p, across) >= 0;
-    chain.left = isLeft ? a : b;
-    chain.right = isLeft ? b : a;
+  static void setSides(CorridorChain& chain, const AxisArc& arc, std::uint32_t from) {
+    const bool isFirstLeft = arc.isFirstLeft == (arc.from == from);
+    chain.left = arc.features[isFirstLeft ? 0 : 1];
+    chain.right = arc.features[isFirstLeft ? 1 : 0];
   }
 
   const ClearanceField& field_;
   const CorridorAxis& axis_;
   Poll poll_;
   DisjointSets runs_;
-  std::vector<AxisPair> pairs_;
-  std::vector<char> isKept_;
+  std::vector<char> isLeftOut_;               ///< of each arc
   std::vector<std::uint32_t> starts_, ends_;  ///< of each node, its arcs
   std::vector<std::uint32_t> parts_;
   CorridorGraph graph_;

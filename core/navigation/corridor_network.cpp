@@ -85,7 +85,6 @@ CorridorNetwork::CorridorNetwork(const NavigationMesh& mesh, Poll poll)
     waysAt_[ways_[w].from].push_back(w);
     if (ways_[w].to != ways_[w].from) waysAt_[ways_[w].to].push_back(w);
   }
-  findSides();
   numberEnds();
   poll();
   findInward();
@@ -144,62 +143,15 @@ void CorridorNetwork::addGates(CorridorWay& way) {
     gate.place = place;
     gate.distance = std::numeric_limits<double>::infinity();
     for (const int side : {0, 1}) {
-      gate.border[side] = field_.features()[way.features[side]].nearestTo(gate.place);
-      gate.isCorner[side] = field_.features()[way.features[side]].isCorner();
+      const FieldFeature& feature = field_.features()[way.features[side]];
+      gate.border[side] = feature.nearestTo(gate.place);
       const FieldVector free = gate.place - gate.border[side];
       const double distance = lengthOf(free);
-      if (distance > 0) gate.away[side] = free * (1 / distance);
+      if (distance > 0) gate.away[side] = feature.isCorner() ? free * (1 / distance) : feature.inward;
       gate.distance = std::min(gate.distance, distance);
     }
     gates_.push_back(gate);
   }
-}
-
-void CorridorNetwork::turnRound(CorridorWay& way) {
-  std::swap(way.features[0], way.features[1]);
-  for (std::size_t i = 0; i < way.gateCount; ++i) {
-    CorridorGate& gate = gates_[way.firstGate + i];
-    std::swap(gate.border[0], gate.border[1]);
-    std::swap(gate.away[0], gate.away[1]);
-    std::swap(gate.isCorner[0], gate.isCorner[1]);
-  }
-}
-
-void CorridorNetwork::findSides() {
-  std::vector<char> isKnown(ways_.size(), 0);
-  std::vector<std::uint32_t> known;
-  for (std::uint32_t w = 0; w < ways_.size(); ++w) {
-    const std::span<const CorridorGate> gates = gatesOf(ways_[w]);
-    double length = 0, turn = 0, most = 0;
-    for (std::size_t i = 1; i < gates.size(); ++i) {
-      const FieldVector step = gates[i].place - gates[i - 1].place,
-                        across =
-                            gates[i].border[0] - gates[i].border[1] + gates[i - 1].border[0] - gates[i - 1].border[1];
-      length += lengthOf(step);
-      turn += cross(step, across);
-      most += lengthOf(step) * lengthOf(across);
-    }
-    if (turn < 0) turnRound(ways_[w]);
-    if (length < 0x1p-20 * field_.surface().scale || std::fabs(turn) < most / 2) continue;
-    isKnown[w] = 1;
-    known.push_back(w);
-  }
-  for (std::size_t i = 0; i < known.size(); ++i)
-    for (const bool isForward : {true, false}) {
-      const CorridorWay& way = ways_[known[i]];
-      const std::uint32_t vertex = isForward ? way.to : way.from;
-      for (const std::uint32_t w : waysAt_[vertex]) {
-        if (isKnown[w] != 0 || ways_[w].from == ways_[w].to) continue;
-        CorridorWay& next = ways_[w];
-        const int shared = next.features[0] == way.features[0] || next.features[0] == way.features[1] ? 0 : 1;
-        if (next.features[shared] != way.features[0] && next.features[shared] != way.features[1]) continue;
-        // Who comes to the vertex on one way and leaves it on the other has the feature on the same hand.
-        const bool isLeft = (next.features[shared] == way.features[0]) == isForward;
-        if (isLeft != ((shared == 0) == (next.from == vertex))) turnRound(next);
-        isKnown[w] = 1;
-        known.push_back(w);
-      }
-    }
 }
 
 void CorridorNetwork::numberEnds() {
@@ -213,7 +165,8 @@ void CorridorNetwork::numberEnds() {
         for (const std::size_t at : {ways_[w].firstGate, ways_[w].firstGate + ways_[w].gateCount - 1}) {
           if ((at == ways_[w].firstGate ? ways_[w].from : ways_[w].to) != v) continue;
           for (const int side : {0, 1})
-            if (gates_[at].isCorner[side] == isCorner) shareEnd(ways_[w].features[side], at, side, known, next);
+            if (field_.features()[ways_[w].features[side]].isCorner() == isCorner)
+              shareEnd(ways_[w].features[side], at, side, known, next);
         }
   }
   for (const CorridorWay& way : ways_)
@@ -229,7 +182,6 @@ void CorridorNetwork::shareEnd(std::uint32_t feature, std::size_t gate, int side
     gates_[gate].border[side] = same.border[otherSide];
     gates_[gate].away[side] = same.away[otherSide];
     gates_[gate].ends[side] = same.ends[otherSide];
-    gates_[gate].isCorner[side] = same.isCorner[otherSide];
     return;
   }
   gates_[gate].ends[side] = next++;
@@ -335,29 +287,33 @@ std::optional<CorridorFoot> CorridorNetwork::footOf(std::uint32_t face, FieldVec
       const FieldVector middle = (inside + beyond) * 0.5;
       (isOwn(walk.face(), middle) ? inside : beyond) = middle;
     }
-    return wayNear(walk.face(), inside);
+    return wayNear(walk.face(), inside, nearest.feature);
   }
   return std::nullopt;
 }
 
-std::optional<CorridorFoot> CorridorNetwork::wayNear(std::uint32_t face, FieldVector p) const {
-  const double distance = field_.at(face, p).distance;
+std::optional<CorridorFoot> CorridorNetwork::wayNear(std::uint32_t face, FieldVector p, std::uint32_t feature) const {
+  const double distance = field_.at(face, p).distance, slack = 1e-9 * field_.surface().scale;
   CorridorFoot best{CorridorFoot::kNone, p, distance};
   double least = std::numeric_limits<double>::infinity();
+  bool hasFeature = false;
   const auto consider = [&](std::uint32_t f) {
     for (const std::uint32_t w : waysIn_[f]) {
       const CorridorWay& way = ways_[w];
       const double at = way.along(p);
       double fault = std::max({0.0, way.begin - at, at - way.end});
-      for (const std::uint32_t feature : way.features)
-        fault += std::fabs(distanceOf(field_.features()[feature], p) - distance);
-      if (fault >= least) continue;
+      for (const std::uint32_t other : way.features)
+        fault += std::fabs(distanceOf(field_.features()[other], p) - distance);
+      // Where the way of the feature ends, others begin that lead along other borders.
+      const bool isOwn = fault <= slack && std::ranges::find(way.features, feature) != way.features.end();
+      if (isOwn == hasFeature ? fault >= least : hasFeature) continue;
       least = fault;
+      hasFeature = isOwn;
       best.way = w;
     }
   };
   consider(face);
-  if (least > 1e-9 * field_.surface().scale)
+  if (!hasFeature)
     for (const std::uint32_t other : field_.surface().topology.neighbours[face])
       if (other != SurfaceTopology::kNone) consider(other);
   if (best.way == CorridorFoot::kNone) return std::nullopt;

@@ -25,7 +25,6 @@ struct CorridorGate {
   double distance = 0;                  ///< to both
   std::array<FieldVector, 2> border{};  ///< on the left and on the right
   std::array<FieldVector, 2> away{};    ///< directions of length 1, from there to the place
-  std::array<bool, 2> isCorner{};       ///< a corner of the border
   std::array<std::uint32_t, 2> ends{};  ///< the same numbers for the same border places of the same place
 };
 
@@ -116,13 +115,10 @@ class CorridorNetwork {
   }
 
  private:
-  [[nodiscard]] std::optional<CorridorFoot> wayNear(std::uint32_t face, FieldVector p) const;
+  /// The way at a place on the axis; one beside the region of `feature` where there is one.
+  [[nodiscard]] std::optional<CorridorFoot> wayNear(std::uint32_t face, FieldVector p, std::uint32_t feature) const;
   void addWay(const CorridorChain& chain, std::uint32_t from, std::uint32_t to);
   void addGates(CorridorWay& way);
-  void turnRound(CorridorWay& way);
-  /// Puts the features of ways on their sides. A very short way, whose direction is not known in doubles, has them as
-  /// the ways next to it do.
-  void findSides();
   void numberEnds();
   void shareEnd(std::uint32_t feature, std::size_t gate, int side,
                 std::vector<std::pair<std::uint32_t, std::uint32_t>>& known, std::uint32_t& next);

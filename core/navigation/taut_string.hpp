@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/exact/source_predicates.hpp"
 #include "core/mesh/field_surface.hpp"
 
 namespace footfall::detail {
@@ -14,8 +16,18 @@ namespace footfall::detail {
 struct TautGate {
   FieldVector left, right;
   std::uint32_t leftEnd = 0, rightEnd = 0;
-  bool isOpen = false;  ///< a way may pass it anywhere
+  bool isOpen = false;       ///< a way may pass it anywhere
+  bool isLeftFirst = false;  ///< behind the gate before, the left end comes first; the right one does otherwise
 };
+
+/// The sign of the turn from a over b to c, exactly: 1 to the left, -1 to the right, 0 on a line.
+inline int turnOf(FieldVector a, FieldVector b, FieldVector c) {
+  // The differences and products of doubles err by less than this share (Shewchuk 1997, orient2d).
+  constexpr double kError = 0x1.8p-52 * (1 + 0x1p-48);
+  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), difference = left - right;
+  if (std::fabs(difference) > kError * (std::fabs(left) + std::fabs(right))) return difference > 0 ? 1 : -1;
+  return facing({a.x, a.y, 0}, {b.x, b.y, 0}, {c.x, c.y, 0});
+}
 
 /// An end of a gate.
 struct TautPoint {
@@ -53,12 +65,14 @@ class TautChain {
 /// Returns whether a bend lies on a gate, between its ends, or behind it.
 inline bool isPassed(const TautGate& gate, FieldVector p) {
   const FieldVector left = gate.left - p, right = gate.right - p;
-  return cross(right, left) <= 0 && (left.x != 0 || left.y != 0) && (right.x != 0 || right.y != 0) &&
+  return turnOf(p, gate.right, gate.left) <= 0 && (left.x != 0 || left.y != 0) && (right.x != 0 || right.y != 0) &&
          dot(left, right) <= 0;
 }
 
 /// The way so far: every way through its gates bends at the apex, or begins there, and goes on between both chains
-/// (Lee and Preparata 1984; Chazelle 1982).
+/// (Lee and Preparata 1984; Chazelle 1982). Between two gates lie two triangles, of the ends of the one gate and the
+/// first end of the other, and so on. Where all of them turn to the left, the way is the shortest one for the given
+/// doubles, because all turns are exact; keepAhead() (core/navigation/body_gates.hpp) sees to that.
 struct TautFunnel {
   TautApex apex;
   TautChain left, right;
@@ -68,8 +82,9 @@ struct TautFunnel {
   template <class OnMove>
   bool pullThrough(const TautGate& gate, const OnMove& onMove) {
     if (gate.isOpen || isPassed(gate, apex.point.place)) return true;
-    return addEnd(right, left, {gate.right, gate.rightEnd}, -1, onMove) &&
-           addEnd(left, right, {gate.left, gate.leftEnd}, 1, onMove);
+    const TautPoint atLeft{gate.left, gate.leftEnd}, atRight{gate.right, gate.rightEnd};
+    if (gate.isLeftFirst) return addEnd(left, right, atLeft, 1, onMove) && addEnd(right, left, atRight, -1, onMove);
+    return addEnd(right, left, atRight, -1, onMove) && addEnd(left, right, atLeft, 1, onMove);
   }
 
  private:
@@ -77,17 +92,17 @@ struct TautFunnel {
 
   /// `sign` is 1 for the left chain, which bends to the left.
   template <class OnMove>
-  bool addEnd(TautChain& own, TautChain& other, const TautPoint& end, double sign, const OnMove& onMove) {
+  bool addEnd(TautChain& own, TautChain& other, const TautPoint& end, int sign, const OnMove& onMove) {
     if (own.size() > 0 && isSame(own.back().place, end.place)) return true;
     while (own.size() > 0) {
       const FieldVector last = own.back().place;
       const FieldVector before = own.size() > 1 ? own.at(own.size() - 2).place : apex.point.place;
-      if (sign * cross(last - before, end.place - last) > 0) break;
+      if (sign * turnOf(before, last, end.place) > 0) break;
       own.popBack();
     }
     while (own.size() == 0 && other.size() > 0) {
       const TautPoint first = other.at(0);
-      if (sign * cross(first.place - apex.point.place, end.place - apex.point.place) >= 0) break;
+      if (sign * turnOf(apex.point.place, first.place, end.place) >= 0) break;
       apex = {first, apex.lengthTo(first.place)};
       other.popFront();
       if (!onMove(apex)) return false;

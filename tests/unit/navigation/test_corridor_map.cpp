@@ -6,7 +6,10 @@
 #include <cmath>
 #include <numeric>
 #include <random>
+#include <utility>
+#include <vector>
 
+#include "core/base/disjoint_sets.hpp"
 #include "core/mesh/clearance_field.hpp"
 #include "footfall/corridor_map.hpp"
 #include "footfall/errors.hpp"
@@ -14,6 +17,7 @@
 #include "footfall/run.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/run_with_threads.hpp"
+#include "tests/support/slanted_room.hpp"
 #include "tests/support/soup_generators.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -42,6 +46,55 @@ double sizeOf(const NavigationMesh& mesh) {
 double areaOf(const CorridorMap& map) {
   return std::accumulate(map.edges.begin(), map.edges.end(), 0.0,
                          [](double sum, const CorridorEdge& edge) { return sum + edge.area; });
+}
+
+/// For each part of the walkable area, how many holes it has.
+std::vector<int> holesOf(const FieldSurface& surface) {
+  std::vector<int> characteristics;  // corners less edges and faces: 1 less for each hole
+  const auto at = [&](Index part) -> int& {
+    characteristics.resize(std::max(characteristics.size(), static_cast<std::size_t>(part) + 1));
+    return characteristics[static_cast<std::size_t>(part)];
+  };
+  const auto& parts = surface.topology.components;
+  std::vector<char> isDone(surface.topology.fanVertices.size(), 0);
+  for (std::uint32_t f = 0; f < surface.faces.size(); ++f) {
+    if (!surface.takesPart(f)) continue;
+    ++at(parts[f]);
+    for (const std::uint32_t fan : surface.topology.fans[f])
+      if (std::exchange(isDone[fan], 1) == 0) ++at(parts[f]);
+  }
+  for (const FieldEdge& edge : surface.edges) --at(parts[edge.faces[0]]);
+  std::vector<int> holes;
+  for (const int characteristic : characteristics) holes.push_back(1 - characteristic);
+  return holes;
+}
+
+/// The first part whose map hangs together in another way than the part does: a map has one cycle around each hole.
+QString wrongPart(const NavigationMesh& mesh) {
+  const CorridorMap map = makeCorridorMap(mesh, {.full = true});
+  const ClearanceField field(mesh);
+  const std::vector<int> holes = holesOf(field.surface());
+  DisjointSets sets(map.vertices.size());
+  std::vector<int> cycles(holes.size(), 0), pieces(holes.size(), 0);
+  const auto partOf = [&](std::uint32_t v) {
+    return static_cast<std::size_t>(field.surface().topology.components[map.vertices[v].triangle]);
+  };
+  for (const CorridorEdge& edge : map.edges) {
+    sets.unite(static_cast<Index>(edge.from), static_cast<Index>(edge.to));
+    ++cycles[partOf(edge.from)];
+  }
+  for (std::uint32_t v = 0; v < map.vertices.size(); ++v) {
+    --cycles[partOf(v)];
+    if (sets.find(static_cast<Index>(v)) == static_cast<Index>(v)) ++cycles[partOf(v)], ++pieces[partOf(v)];
+  }
+  for (std::size_t part = 0; part < holes.size(); ++part)
+    if (pieces[part] != 1 || cycles[part] != holes[part])
+      return QStringLiteral("part %1: %2 pieces with %3 cycles, for %4 holes")
+          .arg(part)
+          .arg(pieces[part])
+          .arg(cycles[part])
+          .arg(holes[part]);
+  return {};
 }
 
 /// The error of a map; empty when there is none.
@@ -138,6 +191,19 @@ class TestCorridorMap : public QObject {
     QVERIFY(std::fabs(map.bottlenecks[0].width - 2) < 1e-9);
     QVERIFY(std::fabs(map.bottlenecks[1].width - 3) < 1e-9);
     for (const Bottleneck& b : map.bottlenecks) QVERIFY(!b.isOnlyWay);
+  }
+
+  void hasOneCycleAroundEachHole() {
+    std::mt19937 random(20261128);
+    for (int i = 0; i < 300; ++i)
+      QVERIFY2(wrongPart(SlantedRoom(20, random).mesh()).isEmpty(), qPrintable(QStringLiteral("room %1").arg(i)));
+    for (const char* name : {"house", "villa", "arena"}) {
+      const auto environment =
+          importEnvironment(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name).toStdString());
+      const QString error = wrongPart(
+          navigationMesh(runFilters(environment, "SlopeFilter 45 0\nVerticalClearanceFilter 2\nStepFilter 0.4")));
+      QVERIFY2(error.isEmpty(), qPrintable(name + QStringLiteral(", ") + error));
+    }
   }
 
   void leavesConvexCornersOut() {
