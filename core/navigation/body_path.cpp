@@ -85,8 +85,11 @@ class PathMaker {
     const auto start = ground_.finder.locate(from, reach), target = ground_.finder.locate(to, reach);
     const auto& components = network_.field().surface().topology.components;
     if (!start || !target || components[start->triangle] != components[target->triangle]) {
-      result.path = ground_.finder.find(from, to, reach, context);
-      if (result.path.status == PathStatus::Found) result.path.status = PathStatus::NotConnected;  // over drops
+      result.path = ground_.finder.findEnds(from, to, reach);
+      if (result.path.reached()) {
+        result.path = ground_.finder.find(from, to, reach, context);
+        result.path.status = PathStatus::NotConnected;  // drops alone lead there
+      }
       return result;
     }
     result.path.from = from;

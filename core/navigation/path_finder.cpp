@@ -220,11 +220,9 @@ std::optional<SurfacePlace> PathFinder::locate(const Vec3& p, double reach) cons
   return inside_->places.locate(p, reach);
 }
 
-PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const RunContext* context) const {
+PathResult PathFinder::findEnds(const Vec3& from, const Vec3& to, double reach) const {
   checkPlace(from);
   checkPlace(to);
-  const Poll poll(context);
-  poll();
   const SurfaceTopology& topology = inside_->topology;
   const PlaceIndex& places = inside_->places;
   PathResult result;
@@ -258,6 +256,15 @@ PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, cons
     }
     if (!result.reached()) result.end = places.nearest(to, &reached);
   }
+  return result;
+}
+
+PathResult PathFinder::find(const Vec3& from, const Vec3& to, double reach, const RunContext* context) const {
+  const Poll poll(context);
+  poll();
+  const SurfaceTopology& topology = inside_->topology;
+  PathResult result = findEnds(from, to, reach);
+  if (result.status == PathStatus::NothingWalkable || result.status == PathStatus::StartNotWalkable) return result;
   const LegFinder finder = [&](const RouteEnd& a, const RouteEnd& b) { return legBetween(*inside_, a, b, poll); };
   if (const auto route =
           findDropRoute(*inside_->mesh, topology, routeEnd(*result.start), routeEnd(*result.end), finder, poll)) {

@@ -47,7 +47,8 @@ enum class BodyPathStatus {
 struct BodyPath {
   BodyPathStatus status = BodyPathStatus::NoPath;
   /// The path, as PathFinder returns one. Its bends are corners of polygons around arcs, at most 0.13 % of the radius
-  /// outside of them. BodyPathStatus::NoPath: the result for a point.
+  /// outside of them. BodyPathStatus::NoPath: what PathFinder::findEnds() returns; where drops alone lead to the
+  /// target, the path over them.
   PathResult path;
   double startDistance = 0, targetDistance = 0;  ///< from both places to the border
   /// BodyPathStatus::StartTooNear, TargetTooNear: a place that is far enough from the border. It is the nearest one

@@ -172,6 +172,11 @@ class PathFinder {
                                 double reach = std::numeric_limits<double>::infinity(),
                                 const RunContext* context = nullptr) const;
 
+  /// What find() returns of it without the path itself: the status, the start, the end and the target, and whether
+  /// drops lead back. It takes no search.
+  [[nodiscard]] PathResult findEnds(const Vec3& from, const Vec3& to,
+                                    double reach = std::numeric_limits<double>::infinity()) const;
+
   /// The walkable place straight above or below `p` that is nearest to it, when it is no farther than `reach`.
   [[nodiscard]] std::optional<SurfacePlace> locate(const Vec3& p,
                                                    double reach = std::numeric_limits<double>::infinity()) const;

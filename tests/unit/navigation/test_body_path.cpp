@@ -319,6 +319,28 @@ class TestBodyPath : public QObject {
     QVERIFY(found > 5);
   }
 
+  void searchesNothingWhereNotEvenAPointGets() {
+    // Two rooms apart, each with so much in it that a search has something to do.
+    Soup soup;
+    for (const double x : {0.0, 40.0}) {
+      soup.floor(x, 0, x + 20, 20, 0);
+      for (int i = 0; i < 6; ++i)
+        soup.box({x + 2 + 3 * i, i % 2 == 0 ? 0.0 : 2.0, -1}, {x + 3 + 3 * i, i % 2 == 0 ? 18.0 : 20.0, 2});
+    }
+    const BodyPathFinder finder(meshOf(soup));
+    const BodyPath path = finder.find({1, 1, 0}, {58, 19, 0}, {.radius = 0.3});
+    QVERIFY(path.status == BodyPathStatus::NoPath);
+    QVERIFY(path.path.status == PathStatus::NotConnected);
+    QCOMPARE(path.path.expanded, std::size_t{0});
+    QVERIFY(path.path.points.empty());
+    // The rest is what the search for a point finds.
+    const PathResult point = finder.pointFinder().find({1, 1, 0}, {58, 19, 0});
+    QVERIFY(point.expanded > 0);
+    QCOMPARE(path.path.end->position, point.end->position);
+    QCOMPARE(path.path.target->triangle, point.target->triangle);
+    QCOMPARE(formatFailure(path, UpAxis::Z), describeFailure(point));
+  }
+
   void isTheSameOnAnyThread() {
     const BodyPathFinder finder(meshOf(importEnvironment(FOOTFALL_SOURCE_DIR "/samples/house/house.obj")));
     const auto places = randomPlaces(finder.pointFinder(), 40, 5);
