@@ -6,7 +6,6 @@
 #include <memory>
 #include <span>
 
-#include "core/assembly/assembly_memory.hpp"
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/background_release.hpp"
 #include "core/base/parallel.hpp"
@@ -116,35 +115,8 @@ struct RadiusWork {
   std::shared_ptr<RadiusMemory> memory;
 };
 
-/// The floors, ascending, that the earlier state did not have, or not with the same cuts.
-std::vector<Index> changedFloors(const WalkableState& state, const EarlierResult& earlier) {
-  const WalkableState& before = earlier.state();
-  std::vector<Index> changed;
-  for (Index face = 0; face < static_cast<Index>(state.walkable.size()); ++face) {
-    if (state.walkable[face] == 0 || state.cuts->isRemoved(face)) continue;
-    const Index then = earlier.faceBefore(face);
-    const bool wasFloor = then >= 0 && before.walkable[then] != 0 && !before.cuts->isRemoved(then);
-    if (!wasFloor || !earlier.hasSameCuts(face, *state.cuts)) changed.push_back(face);
-  }
-  return changed;
-}
-
-/// Gives the state, which has its cuts, its mesh. `before` is the filter's earlier result; it may be null.
-void joinFloors(RadiusWork& work, const StatePtr& before, const std::shared_ptr<FaceMeshes>& meshes,
-                RunContext& context, ExactFallbacks& fallbacks) {
-  WalkableState& state = *work.state;
-  const auto earlier = before && before->memory ? EarlierResult::relate(before, *state.kernel) : std::nullopt;
-  std::vector<Index> changed;
-  if (earlier) changed = changedFloors(state, *earlier);
-  const auto memory = work.memory ? std::make_shared<AssemblyMemory>() : nullptr;
-  state.mesh = joinFaces(state, earlier ? &*earlier : nullptr, changed, meshes, memory.get(), context, fallbacks);
-  if (memory) memory->meshes = {};  // CutFaces has them
-  state.memory = memory;
-}
-
-/// Gives the state its cuts and its mesh. `earlier` is the filter's earlier result; it may be null.
-void cutOut(RadiusWork& work, const StatePtr& earlier, RunContext& context, ExactFallbacks& fallbacks) {
-  const CutFaces* const before = earlier && earlier->radiusMemory ? &earlier->radiusMemory->cutFaces : nullptr;
+/// Gives the state its cuts and its mesh.
+void cutOut(RadiusWork& work, const CutFaces* before, RunContext& context, ExactFallbacks& fallbacks) {
   WalkableState& state = *work.state;
   const PlanKernel& kernel = *state.kernel;
   const SourceMesh& source = kernel.mesh();
@@ -201,7 +173,7 @@ void cutOut(RadiusWork& work, const StatePtr& earlier, RunContext& context, Exac
         work.memory->cutFaces.add(kernel, touched.faces[i], polygons[i], found[i].cuts, (*meshes)[touched.faces[i]]);
     }
   }
-  joinFloors(work, earlier, meshes, context, fallbacks);
+  state.mesh = joinFaces(state, nullptr, {}, meshes, nullptr, context, fallbacks);
   work.touched = {};
   polygons = {};
   found = {};
@@ -258,7 +230,7 @@ FilterOutcome applyRadius(const StatePtr& given, double radius, double ledges, d
     work->memory->generation = work->state->kernel->mesh().withoutPlaces;
     work->memory->covered = std::move(work->covered.found);
   }
-  cutOut(*work, recall.before, context, outcome.fallbacks);
+  cutOut(*work, before != nullptr ? &before->cutFaces : nullptr, context, outcome.fallbacks);
   state.radiusMemory = work->memory;
   outcome.state = withLinks(work->state, *work->floors, false, context, outcome.fallbacks);
   if (state.mesh->triangles.empty())
