@@ -177,21 +177,24 @@ class TestImportGrid : public QObject {
     const double c = std::cos(0.3), s = std::sin(0.3);
     for (const auto& [x, y] : {std::array{0.0, 0.0}, {9.0, 0.0}, {9.0, 8.0}, {3.7, 0.0}, {0.0, -4.0}, {9.0, -4.0}})
       level.vertices.push_back({c * x - s * y, s * x + c * y, 0});
-    level.triangles = {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}};
-    level.partOf = {0, 1, 1, 1};
+    level.vertices.push_back({level.vertices[1].x, level.vertices[1].y, 3});
+    // The last one is a wall on the edge, which stays whole and upright.
+    level.triangles = {{0, 1, 2}, {0, 4, 3}, {3, 4, 5}, {3, 5, 1}, {0, 1, 6}};
+    level.partOf = {0, 1, 1, 1, 2};
     Environment other = level;
     putOnGrid(level, 0x1p-20, {});
     QCOMPARE(level.grid.splitTriangles, std::uint64_t{1});
-    QCOMPARE(level.triangles.size(), std::size_t{5});
-    QVERIFY(std::ranges::count(level.triangles[0], 3U) == 1 && std::ranges::count(level.triangles[4], 3U) == 1);
+    QCOMPARE(level.triangles.size(), std::size_t{6});
+    QVERIFY(std::ranges::count(level.triangles[0], 3U) == 1 && std::ranges::count(level.triangles[5], 3U) == 1);
+    QVERIFY((level.triangles[4] == Triangle{0, 1, 6}));
     QCOMPARE(level.partOf.back(), 0U);
     // The edge gets the same vertex from the other side, and in another order.
     std::ranges::reverse(other.triangles);
     std::ranges::rotate(other.triangles.back(), other.triangles.back().begin() + 1);
     putOnGrid(other, 0x1p-20, {});
     QVERIFY(other.vertices == level.vertices);
-    QCOMPARE(other.triangles.size(), std::size_t{5});
-    QVERIFY(std::ranges::count(other.triangles[3], 3U) == 1 && std::ranges::count(other.triangles[4], 3U) == 1);
+    QCOMPARE(other.triangles.size(), std::size_t{6});
+    QVERIFY(std::ranges::count(other.triangles[4], 3U) == 1 && std::ranges::count(other.triangles[5], 3U) == 1);
   }
 };
 
