@@ -202,6 +202,17 @@ class TestSourceMesh : public QObject {
       });
       QVERIFY(std::count(met.begin(), met.end(), 1) == 0);  // a box holds its triangle
     }
+    // What an edit adds is found in the same frame.
+    const auto count = static_cast<std::int32_t>(mesh.triangles.size());
+    std::vector<std::int32_t> numbers(mesh.triangles.size());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    const SourceTree edited = SourceTree::edited(mesh.tree, numbers, {boxOf(mesh, 7)}, std::array{count});
+    std::vector<std::int32_t> found;
+    edited.visitOverlapping(boxOf(mesh, 7), stack, [&](std::int32_t id) {
+      found.push_back(id);
+      return true;
+    });
+    QVERIFY(std::ranges::count(found, 7) == 1 && std::ranges::count(found, count) == 1);
     QVERIFY2(visitsOver * 3 < visitsAlongAxes, qPrintable(QString("%1 %2").arg(visitsOver).arg(visitsAlongAxes)));
   }
 
