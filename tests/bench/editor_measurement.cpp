@@ -75,7 +75,7 @@ void addStalls(Json& json, const FrameWatchdog& watchdog) {
 }
 
 NumberField& fieldOf(EditorWindow& window, const char* filter) {
-  const auto& entries = partOf<Document>(window).filters();
+  const auto& entries = test::partOf<Document>(window).filters();
   for (std::size_t i = 0; i < entries.size(); ++i) {
     if (entries[i].step.filter->name == filter)
       return *qobject_cast<NumberField*>(test::partOf<FilterList>(window).rows()[i]->field(0));
@@ -240,8 +240,8 @@ Json measureObstacle(EditorWindow& window) {
   Json json{{"followed", followed.json()}, {"run", runs.json()}, {"first_run_ms", firstMs}};
   addStalls(json, watchdog);
   view.setTool(nullptr);
-  partOf<Document>(window).undoStack()->undo();
-  partOf<Document>(window).undoStack()->undo();
+  test::partOf<Document>(window).undoStack()->undo();
+  test::partOf<Document>(window).undoStack()->undo();
   waitFor([&] { return window.idle(); }, "undoing does not end");
   return json;
 }
@@ -253,7 +253,7 @@ Json measureAgents(EditorWindow& window) {
   LevelView& view = window.view();
   auto& panel = *window.findChild<AgentsPanel*>();
   for (const double slope : {50.0, 30.0}) {
-    addAgent(partOf<Document>(window), {0, slope > 40 ? "agile" : "careful", 2, slope});
+    addAgent(test::partOf<Document>(window), {0, slope > 40 ? "agile" : "careful", 2, slope});
     waitFor([&] { return window.idle() && window.controller().upToDate(); }, "an agent leads to no result");
   }
   QTest::qWait(kRestMs);
