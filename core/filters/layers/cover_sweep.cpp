@@ -9,7 +9,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr Index kPlacesPerPoll = 1024;
+constexpr std::size_t kPlacesPerPoll = 1024;
 
 }  // namespace
 
@@ -30,74 +30,62 @@ int CoverSweep::orientation(Index a, Index b, Index c) {
   return geometry_.orientation(a, b, c);
 }
 
-bool CoverSweep::coversTwice(const std::vector<Side>& outline, const Poll& poll) {
+bool CoverSweep::coversTwice(std::span<const Side> outline, const Poll& poll) {
   status_.clear();
-  setUp(outline, poll);
-  for (Index place = 0; place < static_cast<Index>(vertexOf_.size()); ++place) {
-    if (place % kPlacesPerPoll == 0) poll();
-    if (!pass(place)) return true;
+  setUp(outline);
+  for (std::size_t i = 0; i < places_.size(); ++i) {
+    if (i % kPlacesPerPoll == 0) poll();
+    if (!pass(places_[i])) return true;
   }
   return false;
 }
 
-void CoverSweep::setUp(const std::vector<Side>& outline, const Poll& poll) {
-  std::vector<Index> ends;  // vertices, from left to right
-  for (const Side& side : outline) ends.insert(ends.end(), side.begin(), side.end());
-  std::sort(ends.begin(), ends.end());
-  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-  const std::vector<Index> numbers = ends;
-  const auto compare = [&](Index a, Index b) {
-    ++decisions_;
-    const int sign = geometry_.compare(a, b, 0);
-    return sign != 0 ? sign : geometry_.compare(a, b, 1);
-  };
-  std::size_t polled = 0;
-  std::sort(ends.begin(), ends.end(), [&](Index a, Index b) {
-    if (++polled % kPlacesPerPoll == 0) poll();
-    return compare(a, b) < 0;
-  });
-  std::vector<Index> placeOf(ends.size());
-  const auto numberOf = [&](Index vertex) {
-    return std::lower_bound(numbers.begin(), numbers.end(), vertex) - numbers.begin();
-  };
-  vertexOf_.clear();
-  for (std::size_t i = 0; i < ends.size(); ++i) {
-    if (i == 0 || compare(ends[i - 1], ends[i]) != 0) vertexOf_.push_back(ends[i]);
-    placeOf[numberOf(ends[i])] = static_cast<Index>(vertexOf_.size()) - 1;
-  }
+void CoverSweep::setUp(std::span<const Side> outline) {
   segments_.clear();
   segments_.resize(outline.size());
-  firstSegment_.assign(vertexOf_.size() + 1, 0);
-  const auto leftPlaceOf = [&](const Side& side) {
-    return std::min(placeOf[numberOf(side[0])], placeOf[numberOf(side[1])]);
-  };
-  for (const Side& side : outline) ++firstSegment_[leftPlaceOf(side) + 1];
-  std::partial_sum(firstSegment_.begin(), firstSegment_.end(), firstSegment_.begin());
-  std::vector<Index> next(firstSegment_.begin(), firstSegment_.end() - 1);
-  for (auto [from, to] : outline) {
-    Segment& segment = segments_[next[leftPlaceOf({from, to})]++];
+  next_ = 0;
+  places_.clear();
+  std::vector<Index> rights;
+  rights.reserve(outline.size());
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    Segment& segment = segments_[i];
+    segment.left = outline[i][0];
+    segment.right = outline[i][1];
     segment.step = 1;  // the triangle is on the left of its side
-    if (placeOf[numberOf(from)] > placeOf[numberOf(to)]) {
-      std::swap(from, to);
+    if (order_.placeOf[segment.left] > order_.placeOf[segment.right]) {
+      std::swap(segment.left, segment.right);
       segment.step = -1;
     }
-    segment.left = from;
-    segment.right = to;
-    segment.rightPlace = placeOf[numberOf(to)];
+    segment.leftPlace = order_.placeOf[segment.left];
+    segment.rightPlace = order_.placeOf[segment.right];
+    rights.push_back(segment.rightPlace);
   }
+  std::sort(rights.begin(), rights.end());
+  places_.reserve(outline.size() + 1);
+  const auto add = [&](Index place) {
+    if (places_.empty() || places_.back() != place) places_.push_back(place);
+  };
+  auto right = rights.begin();
+  for (const Segment& segment : segments_) {
+    for (; *right < segment.leftPlace; ++right) add(*right);
+    add(segment.leftPlace);
+  }
+  for (; right != rights.end(); ++right) add(*right);
 }
 
 bool CoverSweep::pass(Index place) {
-  auto [first, last] = status_.equal_range(vertexOf_[place], IsBelow{*this});
+  const Index vertex = order_.vertexAt[place];
+  auto [first, last] = status_.equal_range(vertex, IsBelow{*this});
   leaving_.clear();
   while (first != last) {
     Segment& through = *first;
     first = status_.erase(first);
     if (through.rightPlace > place) leaving_.push_back(&through);
   }
-  for (Index s = firstSegment_[place]; s < firstSegment_[place + 1]; ++s) leaving_.push_back(&segments_[s]);
+  for (; next_ < segments_.size() && segments_[next_].leftPlace == place; ++next_)
+    leaving_.push_back(&segments_[next_]);
   const auto below = first == status_.begin() ? status_.end() : std::prev(first);
-  if (!insertLeaving(vertexOf_[place], first, below == status_.end() ? 0 : below->above)) return false;
+  if (!insertLeaving(vertex, first, below == status_.end() ? 0 : below->above)) return false;
   if (leaving_.empty()) return below == status_.end() || first == status_.end() || !crosses(*below, *first);
   return (below == status_.end() || !crosses(*below, *leaving_.front())) &&
          (first == status_.end() || !crosses(*leaving_.back(), *first));

@@ -22,9 +22,11 @@
 #include <array>
 #include <boost/intrusive/set.hpp>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/base/poll.hpp"
+#include "core/filters/layers/plan_order.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -32,14 +34,16 @@ namespace footfall::detail {
 /// Reused from set to set by one thread.
 class CoverSweep {
  public:
-  CoverSweep(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices) : geometry_(kernel, vertices) {}
+  /// `order` has all ends of sides, and must outlive this.
+  CoverSweep(const PlanKernel& kernel, const std::vector<MeshVertex>& vertices, const PlanOrder& order)
+      : geometry_(kernel, vertices), order_(order) {}
 
   /// A side of a triangle of the set that is no inner one, from corner to corner counter-clockwise.
   using Side = std::array<Index, 2>;
 
-  /// True when the triangles cover some place twice. `outline` has all sides but pairs of opposite ones between the
-  /// same vertices, which may be left out.
-  bool coversTwice(const std::vector<Side>& outline, const Poll& poll);
+  /// True when the triangles cover some place twice. `outline` has all sides, those first whose left ends are further
+  /// left; pairs of opposite ones between the same vertices may be left out.
+  bool coversTwice(std::span<const Side> outline, const Poll& poll);
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
   /// The number of exact decisions so far, for tests.
@@ -47,16 +51,17 @@ class CoverSweep {
 
  private:
   /// A side from its left end to its right one; between ends above each other, the lower one is the left one.
+  /// Places are numbered from left to right (PlanOrder).
   struct Segment : boost::intrusive::set_base_hook<boost::intrusive::optimize_size<true>> {
     Index left = -1, right = -1;
-    Index rightPlace = -1;  ///< place of the right end; places are numbered from left to right
-    int step = 0;           ///< N above the segment without N below it
-    int above = 0;          ///< N above the segment
+    Index leftPlace = -1, rightPlace = -1;
+    int step = 0;   ///< N above the segment without N below it
+    int above = 0;  ///< N above the segment
   };
   struct IsBelow;
   using Status = boost::intrusive::multiset<Segment, boost::intrusive::constant_time_size<false>>;
 
-  void setUp(const std::vector<Side>& outline, const Poll& poll);
+  void setUp(std::span<const Side> outline);
   /// Passes a place. False when that proves that a place is covered twice.
   bool pass(Index place);
   /// Puts the segments that leave the place of a vertex into the order of their directions. False when one of the
@@ -67,12 +72,13 @@ class CoverSweep {
   int orientation(Index a, Index b, Index c);
 
   MeshGeometry geometry_;
+  const PlanOrder& order_;
   std::size_t decisions_ = 0;
-  std::vector<Segment> segments_;    ///< by the places of their left ends
-  std::vector<Index> firstSegment_;  ///< first segment of each place, and the end
-  std::vector<Index> vertexOf_;      ///< one vertex at each place
-  std::vector<Segment*> leaving_;    ///< segments that leave a place to the right
-  Status status_;                    ///< segments at the sweep line, from below
+  std::vector<Segment> segments_;  ///< by the places of their left ends
+  std::size_t next_ = 0;           ///< the first segment that the sweep has not met
+  std::vector<Index> places_;      ///< places of all ends, ascending
+  std::vector<Segment*> leaving_;  ///< segments that leave a place to the right
+  Status status_;                  ///< segments at the sweep line, from below
 };
 
 }  // namespace footfall::detail

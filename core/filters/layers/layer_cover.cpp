@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "core/base/parallel.hpp"
 #include "core/exact/face_geometry.hpp"
 
 namespace footfall::detail {
@@ -12,12 +15,37 @@ namespace {
 // Scaled coordinates are below 2^37, so corners of all squares are doubles.
 constexpr double kHalfSide = 0x1p37;
 constexpr int kDeepest = 24;
-constexpr std::size_t kSquaresOfPiece = 4;
+double areaOf(const BoxTree<2>::Bounds& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
+
+constexpr std::size_t kSquaresOfPiece = 4, kPiecesPerTask = 64, kVerticesPerTask = 2048;
+constexpr std::uint32_t kManyLayers = 8;  ///< from so many on, squares prove that pieces overlap
+constexpr std::size_t kMostMiddles = 8;
+constexpr std::size_t kFewTriangles = 64;  ///< of a piece that are all compared with the box of another
+constexpr std::size_t kFewPairs = 16;      ///< pairs of triangles that are compared without a tree
 
 }  // namespace
 
-LayerCover::LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context)
-    : kernel_(kernel), mesh_(mesh), context_(context), geometry_(kernel, mesh.vertices) {}
+LayerCover::LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh,
+                       const std::vector<std::span<const Index>>& pieces, RunContext& context)
+    : kernel_(kernel),
+      mesh_(mesh),
+      context_(context),
+      geometry_(kernel, mesh.vertices),
+      places_(mesh.vertices.size()),
+      pieces_(pieces.size()) {
+  parallelRanges(places_.size(), kVerticesPerTask, [&](const auto& range) {
+    context.checkCancelled();
+    for (std::size_t v = range.begin(); v != range.end(); ++v) places_[v] = planPlaceOf(mesh.vertices[v]);
+  });
+  forRanges(pieces.size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
+    context.checkCancelled();
+    for (std::size_t p = first; p < last; ++p) pieces_[p] = pieceOf(pieces[p]);
+  });
+  std::vector<MemberTree::Bounds> bounds;
+  bounds.reserve(pieces.size());
+  for (const Piece& piece : pieces_) bounds.push_back(piece.bounds);
+  added_.build(bounds, context);
+}
 
 void LayerCover::Runs::insert(std::uint32_t number) {
   auto next = runs_.upper_bound(number);
@@ -52,26 +80,59 @@ std::uint64_t LayerCover::keyOf(const Square& square) {
 }
 
 // Decides by rounded coordinates with their bounds. False has no meaning.
-bool LayerCover::isInside(const Square& square, const PlanTriangle& t) const {
-  const double side = std::ldexp(2 * kHalfSide, -square.level);
-  const double left = -kHalfSide + side * square.x, bottom = -kHalfSide + side * square.y;
+bool LayerCover::holds(const PlanTriangle& t, double x, double y) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t n = (k + 1) % 3;
-    for (const double x : {left, left + side})
-      for (const double y : {bottom, bottom + side})
-        if (filteredOrientation({t.x[k], t.y[k], t.error}, {t.x[n], t.y[n], t.error}, {x, y, 0},
-                                kernel_.sign().slack) != 1)
-          return false;
+    if (filteredOrientation({t.x[k], t.y[k], t.error}, {t.x[n], t.y[n], t.error}, {x, y, 0}, kernel_.sign().slack) != 1)
+      return false;
   }
   return true;
 }
 
+bool LayerCover::isInside(const Square& square, const PlanTriangle& t) const {
+  const double side = std::ldexp(2 * kHalfSide, -square.level);
+  const double left = -kHalfSide + side * square.x, bottom = -kHalfSide + side * square.y;
+  for (const double x : {left, left + side})
+    for (const double y : {bottom, bottom + side})
+      if (!holds(t, x, y)) return false;
+  return true;
+}
+
+bool LayerCover::hasMiddleIn(const Piece& piece, const Piece& other) const {
+  const std::size_t step = piece.triangles.size() / kMostMiddles + 1;
+  for (std::size_t i = 0; i < piece.triangles.size(); i += step) {
+    const PlanTriangle own = planOf(piece.triangles[i]);
+    const double x = (own.x[0] + own.x[1] + own.x[2]) / 3, y = (own.y[0] + own.y[1] + own.y[2]) / 3;
+    const BoxTree<2>::Bounds place{{x, y}, {x, y}};
+    if (areApart(place, other.bounds) || !holds(own, x, y)) continue;
+    bool found = false;
+    const auto test = [&](Index o) { found = found || holds(planOf(o), x, y); };
+    if (other.tree.size() > 0)
+      other.tree.visitOverlapping(place, test);
+    else
+      for (const Index o : other.triangles) test(o);
+    if (found) return true;
+  }
+  return false;
+}
+
 LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
-  Piece piece{triangles, {}};
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Piece piece{triangles, {}, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}}, {}};
+  for (const Index t : triangles) {
+    const BoxTree<2>::Bounds b = planBoundsOf(planOf(t));
+    for (std::size_t k = 0; k < 2; ++k) {
+      piece.bounds.lower[k] = std::min(piece.bounds.lower[k], b.lower[k]);
+      piece.bounds.upper[k] = std::max(piece.bounds.upper[k], b.upper[k]);
+    }
+  }
+  return piece;
+}
+
+std::vector<LayerCover::Square> LayerCover::squaresIn(std::span<const Index> triangles) const {
   std::vector<std::pair<double, Index>> largest;
   for (const Index t : triangles) {
-    const BoxTree<2>::Bounds b =
-        planBoundsOf(planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]));
+    const BoxTree<2>::Bounds b = planBoundsOf(planOf(t));
     const double size = std::min(b.upper[0] - b.lower[0], b.upper[1] - b.lower[1]);
     if (!std::isfinite(size)) continue;
     largest.emplace_back(-size, t);
@@ -80,35 +141,55 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
     std::pop_heap(largest.begin(), largest.end());
     largest.pop_back();
   }
+  std::vector<Square> squares;
   for (const auto& [size, t] : largest) {
-    const PlanTriangle p = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]);
+    const PlanTriangle p = planOf(t);
     const double x = (p.x[0] + p.x[1] + p.x[2]) / 3 + kHalfSide, y = (p.y[0] + p.y[1] + p.y[2]) / 3 + kHalfSide;
     if (!(x >= 0 && y >= 0 && x < 2 * kHalfSide && y < 2 * kHalfSide)) continue;
     for (int level = 0; level <= kDeepest; ++level) {
       const double side = std::ldexp(2 * kHalfSide, -level);
       const Square square{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
       if (side > -size || !isInside(square, p)) continue;
-      piece.inside.push_back(square);
+      squares.push_back(square);
       break;
     }
   }
-  return piece;
+  return squares;
 }
 
-std::vector<const LayerCover::Runs*> LayerCover::knownFor(const Piece& piece) const {
-  std::vector<const Runs*> known;
+void LayerCover::findSquares() {
+  forRanges(pieces_.size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
+    context_.checkCancelled();
+    for (std::size_t p = first; p < last; ++p) pieces_[p].inside = squaresIn(pieces_[p].triangles);
+  });
+  for (const std::vector<Index>& layer : layers_)
+    for (const Index p : layer) addSquares(pieces_[p]);
+}
+
+void LayerCover::addSquares(const Piece& piece) {
   for (const Square& square : piece.inside) {
-    if (const auto node = nodes_.find(keyOf(square)); node != nodes_.end()) known.push_back(&node->second.within);
-    for (Square at = square; at.level >= 0; at = {at.level - 1, at.x / 2, at.y / 2})
-      if (const auto node = nodes_.find(keyOf(at)); node != nodes_.end()) known.push_back(&node->second.around);
+    nodes_[keyOf(square)].around.insert(piece.layer);
+    for (Square at = square; --at.level >= 0;) {
+      at.x /= 2;
+      at.y /= 2;
+      nodes_[keyOf(at)].within.insert(piece.layer);
+    }
   }
-  return known;
 }
 
-std::uint32_t LayerCover::firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const {
+void LayerCover::lookUp(const Piece& piece) {
+  known_.clear();
+  for (const Square& square : piece.inside) {
+    if (const auto node = nodes_.find(keyOf(square)); node != nodes_.end()) known_.push_back(&node->second.within);
+    for (Square at = square; at.level >= 0; at = {at.level - 1, at.x / 2, at.y / 2})
+      if (const auto node = nodes_.find(keyOf(at)); node != nodes_.end()) known_.push_back(&node->second.around);
+  }
+}
+
+std::uint32_t LayerCover::firstInDoubt(std::uint32_t layer) const {
   for (bool moved = true; moved;) {
     moved = false;
-    for (const Runs* runs : known) {
+    for (const Runs* runs : known_) {
       const std::uint32_t next = runs->firstMissing(layer);
       moved = moved || next != layer;
       layer = next;
@@ -117,41 +198,94 @@ std::uint32_t LayerCover::firstInDoubt(const std::vector<const Runs*>& known, st
   return layer;
 }
 
-bool LayerCover::overlaps(const Piece& piece, const GrowingTriangles& layer) {
-  for (const Index t : piece.triangles) {
+void LayerCover::findNear(std::uint32_t layer) {
+  near_.clear();
+  if (layer >= layerCount()) return;
+  if (layer + 1 == layerCount()) {  // of thousands of layers, often only the last one is in doubt
+    for (const Index other : layers_[layer])
+      if (!haveApartInsides(pieces_[other].bounds, pieces_[piece_].bounds)) near_.emplace_back(layer, other);
+    return;
+  }
+  added_.visitUntil(pieces_[piece_].bounds, [&](Index other) {
+    if (pieces_[other].layer >= layer && !haveApartInsides(pieces_[other].bounds, pieces_[piece_].bounds))
+      near_.emplace_back(pieces_[other].layer, other);
+    return false;
+  });
+  std::sort(near_.begin(), near_.end(), [&](const auto& a, const auto& b) {
+    if (a.first != b.first) return a.first < b.first;
+    const double area = areaOf(pieces_[a.second].bounds), other = areaOf(pieces_[b.second].bounds);
+    return area != other ? area > other : a.second < b.second;  // larger ones overlap it more often
+  });
+}
+
+bool LayerCover::overlapsAnyOf(std::uint32_t layer) {
+  auto near = std::lower_bound(near_.begin(), near_.end(), layer,
+                               [](const auto& entry, std::uint32_t number) { return entry.first < number; });
+  for (; near != near_.end() && near->first == layer; ++near)
+    if (overlap(pieces_[piece_], pieces_[near->second])) return true;
+  return false;
+}
+
+void LayerCover::needTree(Piece& piece) {
+  if (piece.tree.size() > 0) return;
+  piece.tree.build(
+      {piece.triangles.begin(), piece.triangles.end()}, [&](Index t) { return planBoundsOf(planOf(t)); }, context_);
+}
+
+bool LayerCover::overlap(Piece& piece, Piece& other) {
+  const bool isSmaller = piece.triangles.size() <= other.triangles.size();
+  Piece& few = isSmaller ? piece : other;
+  Piece& many = isSmaller ? other : piece;
+  const bool withTree = few.triangles.size() * many.triangles.size() > kFewPairs;
+  if (withTree) needTree(many);
+  if (hasMiddleIn(few, many)) return true;
+  std::span<const Index> queries = few.triangles;
+  std::vector<Index> near;
+  if (queries.size() > kFewTriangles) {
+    needTree(few);
+    few.tree.visitOverlapping(many.bounds, [&](Index t) { near.push_back(t); });
+    queries = near;
+  }
+  for (const Index t : queries) {
     context_.checkCancelled();
-    const PlanTriangle own = planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(t)]);
-    const bool found = layer.visitUntil(own, [&](Index o) {
-      context_.checkCancelled();
-      return geometry_.overlap(own, planTriangleOf(mesh_.vertices, mesh_.triangles[static_cast<std::size_t>(o)]));
-    });
+    const PlanTriangle own = planOf(t);
+    const BoxTree<2>::Bounds bounds = planBoundsOf(own);
+    if (haveApartInsides(bounds, many.bounds)) continue;
+    bool found = false;
+    const auto test = [&](Index o) {
+      if (found) return;
+      const PlanTriangle plan = planOf(o);
+      found = !haveApartInsides(bounds, planBoundsOf(plan)) && geometry_.overlap(own, plan);
+    };
+    if (withTree)
+      many.tree.visitOverlapping(bounds, test);
+    else
+      for (const Index o : many.triangles) test(o);
     if (found) return true;
   }
   return false;
 }
 
-bool LayerCover::isFree(const Piece& piece, std::uint32_t layer) {
-  return firstInDoubt(knownFor(piece), layer) == layer && !overlaps(piece, layers_[layer]);
+std::uint32_t LayerCover::firstFree(Index piece) {
+  piece_ = piece;
+  lookUp(pieces_[piece]);
+  std::uint32_t layer = firstInDoubt(0);
+  findNear(layer);
+  while (layer < layerCount() && overlapsAnyOf(layer)) layer = firstInDoubt(layer + 1);
+  return layer;
 }
 
-std::uint32_t LayerCover::firstFree(const Piece& piece) {
-  const std::vector<const Runs*> known = knownFor(piece);
-  for (std::uint32_t layer = firstInDoubt(known, 0); layer < layerCount(); layer = firstInDoubt(known, layer + 1))
-    if (!overlaps(piece, layers_[layer])) return layer;
-  return layerCount();
-}
+bool LayerCover::isFree(std::uint32_t layer) { return firstInDoubt(layer) == layer && !overlapsAnyOf(layer); }
 
-void LayerCover::add(const Piece& piece, std::uint32_t layer) {
-  if (layer == layerCount()) layers_.emplace_back(mesh_);
-  for (const Square& square : piece.inside) {
-    nodes_[keyOf(square)].around.insert(layer);
-    for (Square at = square; --at.level >= 0;) {
-      at.x /= 2;
-      at.y /= 2;
-      nodes_[keyOf(at)].within.insert(layer);
-    }
+void LayerCover::add(Index piece, std::uint32_t layer) {
+  if (layer == layerCount()) {
+    layers_.emplace_back();
+    if (layerCount() == kManyLayers) findSquares();
   }
-  layers_[layer].add(piece.triangles, context_);
+  pieces_[piece].layer = layer;
+  if (layerCount() >= kManyLayers) addSquares(pieces_[piece]);
+  layers_[layer].push_back(piece);
+  added_.insert(piece);
 }
 
 }  // namespace footfall::detail

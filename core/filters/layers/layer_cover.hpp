@@ -7,22 +7,38 @@
 #include <map>
 #include <span>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/filters/layers/growing_triangles.hpp"
+#include "core/filters/layers/member_tree.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "footfall/run_context.hpp"
 
 namespace footfall::detail {
 
 /// Layers to which pieces are added one after another. A question about a piece and a layer is decided exactly, by
-/// looking up the piece's triangles among the layer's. Most are answered without: a piece remembers some squares of a
-/// quadtree over the plan that lie inside it, and a layer with a square of its own inside such a square, or around it,
-/// overlaps the piece. Layers are kept as runs of numbers, so that a tower of equal floors costs next to nothing.
+/// looking up the triangles of the piece among those of the layer's pieces whose boxes touch its own. Where there are
+/// many layers, most are answered without: a piece has some squares of a quadtree over the plan that lie inside it, and
+/// a layer with a square of its own inside such a square, or around it, overlaps the piece. Layers are kept as runs of
+/// numbers, so that a tower of equal floors costs next to nothing.
 class LayerCover {
  public:
-  LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, RunContext& context);
+  /// Each piece is a list of triangles; the lists must outlive this.
+  LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<std::span<const Index>>& pieces,
+             RunContext& context);
 
+  [[nodiscard]] std::uint32_t layerCount() const { return static_cast<std::uint32_t>(layers_.size()); }
+  /// The first layer of which the piece overlaps nothing; layerCount() when there is none.
+  [[nodiscard]] std::uint32_t firstFree(Index piece);
+  /// True when the piece for which firstFree() was called last overlaps nothing of the layer in the plan.
+  [[nodiscard]] bool isFree(std::uint32_t layer);
+  /// Adds a piece to a layer of which it overlaps nothing, or to a new one.
+  void add(Index piece, std::uint32_t layer);
+
+  [[nodiscard]] ExactFallbacks fallbacks() const { return geometry_.fallbacks; }
+
+ private:
   /// A square of the quadtree, of its level.
   struct Square {
     int level = 0;
@@ -30,22 +46,11 @@ class LayerCover {
   };
   struct Piece {
     std::span<const Index> triangles;
-    std::vector<Square> inside;  ///< squares of which every point lies inside the piece
+    std::vector<Square> inside;  ///< squares of which every point lies inside the piece; none while layers are few
+    BoxTree<2>::Bounds bounds;
+    BoxTree<2> tree;          ///< of the triangles, once it was needed
+    std::uint32_t layer = 0;  ///< of use once it was added
   };
-  /// The span must outlive the piece.
-  [[nodiscard]] Piece pieceOf(std::span<const Index> triangles) const;
-
-  [[nodiscard]] std::uint32_t layerCount() const { return static_cast<std::uint32_t>(layers_.size()); }
-  /// True when the piece overlaps nothing of the layer in the plan.
-  [[nodiscard]] bool isFree(const Piece& piece, std::uint32_t layer);
-  /// The first layer of which the piece overlaps nothing; layerCount() when there is none.
-  [[nodiscard]] std::uint32_t firstFree(const Piece& piece);
-  /// Adds the piece to a layer of which it overlaps nothing, or to a new one.
-  void add(const Piece& piece, std::uint32_t layer);
-
-  [[nodiscard]] const ExactFallbacks& fallbacks() const { return geometry_.fallbacks; }
-
- private:
   /// A set of numbers as runs: the first of each and the one behind its last.
   class Runs {
    public:
@@ -60,19 +65,41 @@ class LayerCover {
     Runs around;  ///< layers that cover the whole square
     Runs within;  ///< layers that cover a square inside it
   };
+  [[nodiscard]] Piece pieceOf(std::span<const Index> triangles) const;
+  [[nodiscard]] std::vector<Square> squaresIn(std::span<const Index> triangles) const;
+  void findSquares();
+  void addSquares(const Piece& piece);
   [[nodiscard]] bool isInside(const Square& square, const PlanTriangle& triangle) const;
   [[nodiscard]] static std::uint64_t keyOf(const Square& square);
   /// The first layer from `layer` on of which the squares do not prove that it overlaps the piece.
-  [[nodiscard]] std::uint32_t firstInDoubt(const std::vector<const Runs*>& known, std::uint32_t layer) const;
-  [[nodiscard]] std::vector<const Runs*> knownFor(const Piece& piece) const;
-  [[nodiscard]] bool overlaps(const Piece& piece, const GrowingTriangles& layer);
+  [[nodiscard]] std::uint32_t firstInDoubt(std::uint32_t layer) const;
+  void lookUp(const Piece& piece);
+  /// Finds the pieces of layers from `layer` on whose boxes touch that of the piece.
+  void findNear(std::uint32_t layer);
+  [[nodiscard]] bool overlapsAnyOf(std::uint32_t layer);
+  void needTree(Piece& piece);
+  [[nodiscard]] bool overlap(Piece& piece, Piece& other);
+  /// True when a middle of one of some triangles of a piece lies inside another piece, for sure. False has no meaning.
+  [[nodiscard]] bool hasMiddleIn(const Piece& piece, const Piece& other) const;
+  [[nodiscard]] bool holds(const PlanTriangle& triangle, double x, double y) const;
+  [[nodiscard]] PlanTriangle planOf(Index triangle) const {
+    return planTriangleOf(mesh_.triangles[static_cast<std::size_t>(triangle)],
+                          [this](Index v) -> const PlanPlace& { return places_[static_cast<std::size_t>(v)]; });
+  }
 
   const PlanKernel& kernel_;
   const WalkableMesh& mesh_;
   RunContext& context_;
   MeshGeometry geometry_;
-  std::vector<GrowingTriangles> layers_;
+  std::vector<PlanPlace> places_;  ///< of the vertices
+  std::vector<Piece> pieces_;
+  MemberTree added_;                        ///< of the boxes of pieces
+  std::vector<std::vector<Index>> layers_;  ///< pieces of each
   std::unordered_map<std::uint64_t, Node> nodes_;
+  // The piece for which firstFree() was called:
+  Index piece_ = -1;
+  std::vector<const Runs*> known_;                     ///< sets of layers that it overlaps
+  std::vector<std::pair<std::uint32_t, Index>> near_;  ///< layers and pieces that its box touches, ascending
 };
 
 }  // namespace footfall::detail

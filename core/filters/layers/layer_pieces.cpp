@@ -150,7 +150,7 @@ std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Inde
 std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
                                    std::span<const Index> ranks, const PlanKernel& kernel, const WalkableMesh& mesh,
                                    std::vector<Index>& piece, RunContext& context, SearchCounts& counts) {
-  SearchedConflicts conflicts(kernel, mesh, piece, context);
+  SearchedConflicts conflicts(kernel, mesh, triangles, input.number, piece, context);
   std::vector<Index> seeds = RegionSubdivision(input, triangles, ranks, piece, conflicts, context).run();
   counts = conflicts.counts();
   return seeds;

@@ -29,8 +29,9 @@ struct LayerInput {
   /// Triangles in the order of growth, by the height of the lowest corner and then by number, and for each triangle its
   /// place there; only those of regions that are subdivided.
   std::vector<Index> byHeight, rank;
-  IndexLists neighbors;  ///< across edges that are not obstacle edges; only within regions that are subdivided
-  IndexLists overlaps;   ///< triangles of the same region that overlap it in the plan; empty where pairs are unknown
+  std::vector<Index> number;  ///< of each triangle among those of its region, where that is subdivided without pairs
+  IndexLists neighbors;       ///< across edges that are not obstacle edges; only within regions that are subdivided
+  IndexLists overlaps;  ///< triangles of the same region that overlap it in the plan; empty where pairs are unknown
 };
 
 /// Numbers the pieces of the region of `triangles` (ascending; `ranks` has theirs, ascending) from 0 and writes the

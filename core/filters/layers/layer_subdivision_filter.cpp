@@ -3,10 +3,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
-// into as few layers as a greedy pass finds. For that, all overlapping pairs of triangles are listed, unless there are
-// far more of them than triangles, as in a tower of thousands of floors or a spiral of hundreds of turns. Then none are
-// listed: outlines decide which regions lie above themselves (double_cover.hpp), and triangles are looked up among
-// those of a piece (piece_conflicts.hpp) or of a layer (layer_cover.hpp). The result is the same.
+// into as few layers as a greedy pass finds. Outlines decide which regions lie above themselves (double_cover.hpp), and
+// triangles are looked up among those of a piece (piece_conflicts.hpp) or of the pieces of a layer (layer_cover.hpp).
+// Where later runs need them, all overlapping pairs of triangles are listed instead, unless there are far more of them
+// than triangles, as in a tower of thousands of floors or a spiral of hundreds of turns. The result is the same.
 
 #include <algorithm>
 #include <map>
@@ -62,8 +62,8 @@ class LayerSubdivision {
         context_(context),
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
-  std::vector<std::uint32_t> run(const StatePtr& before) {
-    parallelInvoke([&] { findOverlaps(before); },
+  std::vector<std::uint32_t> run(const Recall& recall) {
+    parallelInvoke([&] { findOverlaps(recall); },
                    [&] {
                      region_ = findRegions(mesh_, topology_, regionCount_);
                      findLowest();
@@ -82,7 +82,7 @@ class LayerSubdivision {
     return colourPieces();
   }
 
-  /// All pairs for the next run, or null where there are too many.
+  /// All pairs for the next run, or null where there are too many. Call it once.
   std::shared_ptr<const std::vector<Pair>> takeOverlaps() {
     return knowsAllOverlaps_ ? std::make_shared<const std::vector<Pair>>(std::move(overlaps_)) : nullptr;
   }
@@ -90,7 +90,8 @@ class LayerSubdivision {
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
-  void findOverlaps(const StatePtr& before) {
+  void findOverlaps(const Recall& recall) {
+    const StatePtr& before = recall.before;
     const auto earlier = EarlierResult::relate(before, *kernel_);
     if (earlier && before->overlaps) {
       const MeshRelation relation = relateMeshes(*earlier, *before->mesh, mesh_);
@@ -100,6 +101,8 @@ class LayerSubdivision {
         return;
       }
     }
+    knowsAllOverlaps_ = recall.keep;
+    if (!recall.keep) return;
     const std::size_t most = kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_);
     auto found = findPlanOverlaps(*kernel_, mesh_, topology_, most, context_, fallbacks_);
     knowsAllOverlaps_ = found.has_value();
@@ -196,8 +199,13 @@ class LayerSubdivision {
     parallelInvoke(
         [&] {
           std::vector<Index> next = first;
-          for (Index t = 0; t < count_; ++t)
-            if (const Index n = number[region_[t]]; n >= 0) triangles[next[n]++] = t;
+          input_.number.resize(count_);
+          for (Index t = 0; t < count_; ++t) {
+            const Index n = number[region_[t]];
+            if (n < 0) continue;
+            input_.number[t] = next[n] - first[n];
+            triangles[next[n]++] = t;
+          }
         },
         [&] {
           std::vector<Index> next = first;
@@ -303,18 +311,19 @@ class LayerSubdivision {
         if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
     const IndexLists shared = listsOf(beside, pieceCount_);
 
-    LayerCover cover(*kernel_, mesh_, context_);
+    std::vector<std::span<const Index>> pieces;
+    for (Index p = 0; p < pieceCount_; ++p)
+      pieces.emplace_back(triangles.data() + first[p], static_cast<std::size_t>(first[p + 1] - first[p]));
+    LayerCover cover(*kernel_, mesh_, pieces, context_);
     constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
     std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced), layers(count_);
     for (Index p = 0; p < pieceCount_; ++p) {
-      const std::span<const Index> own(triangles.data() + first[p], static_cast<std::size_t>(first[p + 1] - first[p]));
-      if (own.empty()) continue;
+      if (pieces[p].empty()) continue;
       if (p % 64 == 0) {
         context_.checkCancelled();
         context_.progress(kShareOfPieces + (1 - kShareOfPieces) * p / pieceCount_);
       }
-      const LayerCover::Piece piece = cover.pieceOf(own);
-      std::uint32_t best = cover.firstFree(piece);
+      std::uint32_t best = cover.firstFree(p);
       if (best < cover.layerCount()) {
         std::map<std::uint32_t, int> edges;
         for (const Index other : shared[p])
@@ -322,14 +331,14 @@ class LayerSubdivision {
         const auto edgesWith = [&](std::uint32_t l) { return edges.contains(l) ? edges.at(l) : 0; };
         int most = edgesWith(best);
         for (const auto& [l, count] : edges) {
-          if (count < most || (count == most && l >= best) || !cover.isFree(piece, l)) continue;
+          if (count < most || (count == most && l >= best) || !cover.isFree(l)) continue;
           best = l;
           most = count;
         }
       }
-      cover.add(piece, best);
+      cover.add(p, best);
       layerOf[p] = best;
-      for (const Index t : own) layers[t] = best;
+      for (const Index t : pieces[p]) layers[t] = best;
     }
     fallbacks_ += cover.fallbacks();
     return layers;
@@ -370,7 +379,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;
   const bool isOwn = (recall.isLast || state != given) && !recall.keep;
-  parallelInvoke([&] { layers = subdivision.run(recall.before); },
+  parallelInvoke([&] { layers = subdivision.run(recall); },
                  [&] {
                    if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
                    if (recall.meanwhile) recall.meanwhile(*state, *topology);

@@ -42,8 +42,26 @@ bool SearchedConflicts::overlapsAny(Index triangle, const GrowingTriangles& set,
   });
 }
 
+SearchedConflicts::SearchedConflicts(const PlanKernel& kernel, const WalkableMesh& mesh,
+                                     std::span<const Index> triangles, const std::vector<Index>& number,
+                                     std::vector<Index>& piece, RunContext& context)
+    : mesh_(mesh), number_(number), piece_(piece), context_(context), geometry_(kernel, mesh.vertices) {
+  plans_.reserve(triangles.size());
+  bounds_.reserve(triangles.size());
+  for (const Index t : triangles) {
+    plans_.push_back(planTriangleOf(mesh.vertices, mesh.triangles[t]));
+    bounds_.push_back(planBoundsOf(plans_.back()));
+  }
+  growing_.build(bounds_, context);
+}
+
 bool SearchedConflicts::isBlocked(Index triangle) {
-  return overlapsAny(triangle, growing_, [](Index /*other*/) { return true; });
+  const Index own = number_[triangle];
+  return growing_.visitUntil(bounds_[own], [&](Index other) {
+    if (haveApartInsides(bounds_[own], bounds_[other])) return false;
+    ++tested_;
+    return geometry_.overlap(plans_[own], plans_[other]);
+  });
 }
 
 void SearchedConflicts::listMembers(std::span<const Index> triangles, std::size_t pieces) {

@@ -10,6 +10,7 @@
 
 #include "core/filters/layers/growing_triangles.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
+#include "core/filters/layers/member_tree.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 
 namespace footfall::detail {
@@ -69,12 +70,13 @@ class ListedConflicts {
 /// n times as many as triangles. The functions are those of ListedConflicts.
 class SearchedConflicts {
  public:
-  SearchedConflicts(const PlanKernel& kernel, const WalkableMesh& mesh, std::vector<Index>& piece, RunContext& context)
-      : mesh_(mesh), piece_(piece), context_(context), geometry_(kernel, mesh.vertices), growing_(mesh) {}
+  /// `number` is that of each of the region's `triangles` among them.
+  SearchedConflicts(const PlanKernel& kernel, const WalkableMesh& mesh, std::span<const Index> triangles,
+                    const std::vector<Index>& number, std::vector<Index>& piece, RunContext& context);
 
-  void begin() { growing_ = GrowingTriangles(mesh_); }
+  void begin() { growing_.clear(); }
   bool isBlocked(Index triangle);
-  void take(Index triangle, Index /*mark*/) { growing_.add({&triangle, 1}, context_); }
+  void take(Index triangle, Index /*mark*/) { growing_.insert(number_[triangle]); }
 
   void beginUniting(std::span<const Index> triangles, std::size_t pieces);
   bool overlap(Index p, Index q);
@@ -95,11 +97,15 @@ class SearchedConflicts {
   GrowingTriangles& of(Index piece);
 
   const WalkableMesh& mesh_;
+  const std::vector<Index>& number_;
   std::vector<Index>& piece_;
   RunContext& context_;
   MeshGeometry geometry_;
   std::size_t tested_ = 0;
-  GrowingTriangles growing_;
+  // For each of the region's triangles:
+  std::vector<PlanTriangle> plans_;
+  std::vector<MemberTree::Bounds> bounds_;
+  MemberTree growing_;  ///< with the piece that grows as members
   IndexLists members_;
   std::vector<std::unique_ptr<GrowingTriangles>> trees_;  ///< one for each piece that was looked up
   KnownConflicts known_{0};

@@ -119,6 +119,12 @@ void checkOverlaps(const WalkableState& state, std::size_t few) {
   QVERIFY(*found == expected);
 }
 
+std::vector<Index> numbersUpTo(std::size_t count) {
+  std::vector<Index> numbers;
+  for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<Index>(i));
+  return numbers;
+}
+
 /// All that subdivideRegion() is given, as if all triangles were one region.
 LayerInput inputOf(const WalkableState& state, const std::vector<Pair>& overlaps) {
   const WalkableMesh& mesh = *state.mesh;
@@ -157,6 +163,7 @@ LayerInput inputOf(const WalkableState& state, const std::vector<Pair>& overlaps
     input.rank[static_cast<std::size_t>(t)] = static_cast<Index>(input.byHeight.size());
     input.byHeight.push_back(t);
   }
+  input.number = numbersUpTo(count);
   input.neighbors = listsOf(neighbors);
   input.overlaps = listsOf(overlaps);
   return input;
@@ -166,12 +173,6 @@ struct Pieces {
   std::vector<Index> seeds, piece;
   bool operator==(const Pieces&) const = default;
 };
-
-std::vector<Index> numbersUpTo(std::size_t count) {
-  std::vector<Index> numbers;
-  for (std::size_t i = 0; i < count; ++i) numbers.push_back(static_cast<Index>(i));
-  return numbers;
-}
 
 Pieces listedPieces(const LayerInput& input) {
   RunContext context;
