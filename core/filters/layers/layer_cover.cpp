@@ -18,7 +18,8 @@ constexpr int kDeepest = 24;
 double areaOf(const BoxTree<2>::Bounds& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
 
 constexpr std::size_t kSquaresOfPiece = 4, kPiecesPerTask = 64, kVerticesPerTask = 2048;
-constexpr std::uint32_t kManyLayers = 8;  ///< from so many on, squares prove that pieces overlap
+constexpr std::uint32_t kManyLayers = 8;       ///< from so many on, squares prove that pieces overlap
+constexpr std::uint32_t kVeryManyLayers = 64;  ///< from so many on, four of each triangle
 constexpr std::size_t kMostMiddles = 8;
 constexpr std::size_t kFewTriangles = 64;  ///< of a piece that are all compared with the box of another
 constexpr std::size_t kFewPairs = 16;      ///< pairs of triangles that are compared without a tree
@@ -129,6 +130,22 @@ LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
   return piece;
 }
 
+void LayerCover::addSquareAt(double x, double y, const PlanTriangle& triangle, double size,
+                             std::vector<Square>& squares) const {
+  x += kHalfSide;
+  y += kHalfSide;
+  if (!(x >= 0 && y >= 0 && x < 2 * kHalfSide && y < 2 * kHalfSide)) return;
+  for (int level = 0; level <= kDeepest; ++level) {
+    const double side = std::ldexp(2 * kHalfSide, -level);
+    const Square square{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
+    if (side > size || !isInside(square, triangle)) continue;
+    const bool isThere =
+        std::any_of(squares.begin(), squares.end(), [&](const Square& other) { return keyOf(other) == keyOf(square); });
+    if (!isThere) squares.push_back(square);
+    return;
+  }
+}
+
 std::vector<LayerCover::Square> LayerCover::squaresIn(std::span<const Index> triangles) const {
   std::vector<std::pair<double, Index>> largest;
   for (const Index t : triangles) {
@@ -144,15 +161,10 @@ std::vector<LayerCover::Square> LayerCover::squaresIn(std::span<const Index> tri
   std::vector<Square> squares;
   for (const auto& [size, t] : largest) {
     const PlanTriangle p = planOf(t);
-    const double x = (p.x[0] + p.x[1] + p.x[2]) / 3 + kHalfSide, y = (p.y[0] + p.y[1] + p.y[2]) / 3 + kHalfSide;
-    if (!(x >= 0 && y >= 0 && x < 2 * kHalfSide && y < 2 * kHalfSide)) continue;
-    for (int level = 0; level <= kDeepest; ++level) {
-      const double side = std::ldexp(2 * kHalfSide, -level);
-      const Square square{level, static_cast<std::uint32_t>(x / side), static_cast<std::uint32_t>(y / side)};
-      if (side > -size || !isInside(square, p)) continue;
-      squares.push_back(square);
-      break;
-    }
+    const double x = (p.x[0] + p.x[1] + p.x[2]) / 3, y = (p.y[0] + p.y[1] + p.y[2]) / 3;
+    addSquareAt(x, y, p, -size, squares);
+    if (layerCount() < kVeryManyLayers) continue;
+    for (std::size_t k = 0; k < 3; ++k) addSquareAt((x + p.x[k]) / 2, (y + p.y[k]) / 2, p, -size, squares);
   }
   return squares;
 }
@@ -162,6 +174,7 @@ void LayerCover::findSquares() {
     context_.checkCancelled();
     for (std::size_t p = first; p < last; ++p) pieces_[p].inside = squaresIn(pieces_[p].triangles);
   });
+  nodes_.clear();
   for (const std::vector<Index>& layer : layers_)
     for (const Index p : layer) addSquares(pieces_[p]);
 }
@@ -199,30 +212,38 @@ std::uint32_t LayerCover::firstInDoubt(std::uint32_t layer) const {
 }
 
 void LayerCover::findNear(std::uint32_t layer) {
+  for (const Near& near : near_) nearOf_[pieces_[near.piece].layer] = -1;
   near_.clear();
+  nearOf_.resize(layerCount(), -1);
   if (layer >= layerCount()) return;
   if (layer + 1 == layerCount()) {  // of thousands of layers, often only the last one is in doubt
-    for (const Index other : layers_[layer])
-      if (!haveApartInsides(pieces_[other].bounds, pieces_[piece_].bounds)) near_.emplace_back(layer, other);
+    for (const Index other : layers_[layer]) addNear(other);
     return;
   }
   added_.visitUntil(pieces_[piece_].bounds, [&](Index other) {
-    if (pieces_[other].layer >= layer && !haveApartInsides(pieces_[other].bounds, pieces_[piece_].bounds))
-      near_.emplace_back(pieces_[other].layer, other);
+    if (pieces_[other].layer >= layer) addNear(other);
     return false;
-  });
-  std::sort(near_.begin(), near_.end(), [&](const auto& a, const auto& b) {
-    if (a.first != b.first) return a.first < b.first;
-    const double area = areaOf(pieces_[a.second].bounds), other = areaOf(pieces_[b.second].bounds);
-    return area != other ? area > other : a.second < b.second;  // larger ones overlap it more often
   });
 }
 
+void LayerCover::addNear(Index other) {
+  const BoxTree<2>::Bounds& bounds = pieces_[other].bounds;
+  if (haveApartInsides(bounds, pieces_[piece_].bounds)) return;
+  const auto number = static_cast<Index>(near_.size());
+  Index& first = nearOf_[pieces_[other].layer];
+  // A larger one is tried first: it overlaps the piece more often.
+  if (first < 0 || areaOf(bounds) > areaOf(pieces_[near_[first].piece].bounds)) {
+    near_.push_back({other, first});
+    first = number;
+  } else {
+    near_.push_back({other, near_[first].next});
+    near_[first].next = number;
+  }
+}
+
 bool LayerCover::overlapsAnyOf(std::uint32_t layer) {
-  auto near = std::lower_bound(near_.begin(), near_.end(), layer,
-                               [](const auto& entry, std::uint32_t number) { return entry.first < number; });
-  for (; near != near_.end() && near->first == layer; ++near)
-    if (overlap(pieces_[piece_], pieces_[near->second])) return true;
+  for (Index near = nearOf_[layer]; near >= 0; near = near_[near].next)
+    if (overlap(pieces_[piece_], pieces_[near_[near].piece])) return true;
   return false;
 }
 
@@ -280,7 +301,7 @@ bool LayerCover::isFree(std::uint32_t layer) { return firstInDoubt(layer) == lay
 void LayerCover::add(Index piece, std::uint32_t layer) {
   if (layer == layerCount()) {
     layers_.emplace_back();
-    if (layerCount() == kManyLayers) findSquares();
+    if (layerCount() == kManyLayers || layerCount() == kVeryManyLayers) findSquares();
   }
   pieces_[piece].layer = layer;
   if (layerCount() >= kManyLayers) addSquares(pieces_[piece]);

@@ -67,6 +67,8 @@ class LayerCover {
   };
   [[nodiscard]] Piece pieceOf(std::span<const Index> triangles) const;
   [[nodiscard]] std::vector<Square> squaresIn(std::span<const Index> triangles) const;
+  /// Adds the largest square inside the triangle that holds a place; sides are at most `size`.
+  void addSquareAt(double x, double y, const PlanTriangle& triangle, double size, std::vector<Square>& squares) const;
   void findSquares();
   void addSquares(const Piece& piece);
   [[nodiscard]] bool isInside(const Square& square, const PlanTriangle& triangle) const;
@@ -74,8 +76,9 @@ class LayerCover {
   /// The first layer from `layer` on of which the squares do not prove that it overlaps the piece.
   [[nodiscard]] std::uint32_t firstInDoubt(std::uint32_t layer) const;
   void lookUp(const Piece& piece);
-  /// Finds the pieces of layers from `layer` on whose boxes touch that of the piece.
+  /// Lists the pieces of layers from `layer` on whose boxes have an inside in common with that of the piece.
   void findNear(std::uint32_t layer);
+  void addNear(Index other);
   [[nodiscard]] bool overlapsAnyOf(std::uint32_t layer);
   void needTree(Piece& piece);
   [[nodiscard]] bool overlap(Piece& piece, Piece& other);
@@ -98,8 +101,14 @@ class LayerCover {
   std::unordered_map<std::uint64_t, Node> nodes_;
   // The piece for which firstFree() was called:
   Index piece_ = -1;
-  std::vector<const Runs*> known_;                     ///< sets of layers that it overlaps
-  std::vector<std::pair<std::uint32_t, Index>> near_;  ///< layers and pieces that its box touches, ascending
+  std::vector<const Runs*> known_;  ///< sets of layers that it overlaps
+  /// A piece whose box has an inside in common with its own, in the list of a layer.
+  struct Near {
+    Index piece = -1;
+    Index next = -1;  ///< number of the list's next one, or -1
+  };
+  std::vector<Near> near_;
+  std::vector<Index> nearOf_;  ///< for each layer the first of its list, or -1
 };
 
 }  // namespace footfall::detail
