@@ -216,6 +216,10 @@ where no layer filter ran. A view.)")
           "least_layers", [](const Mesh& m) { return leastLayers(*m.data); },
           "A proven lower bound of `layer_count`: the most triangles that were found over one place.")
       .def_property_readonly(
+          "least_connections", [](const Mesh& m) { return leastConnections(*m.data); },
+          "A proven lower bound of the number of connections: of each part that hangs together, the most triangles "
+          "over one place, less one.")
+      .def_property_readonly(
           "source_triangles",
           [](const Mesh& m) -> py::object {
             if (m.data->sourceTriangles.empty()) return py::none();

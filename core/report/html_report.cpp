@@ -238,14 +238,13 @@ std::string resultSection(const RunResult& result, const AreaText& areaText) {
   if (!result.mesh) return {};
   const NavigationMesh& mesh = *result.mesh;
   const SurfaceTopology topology = makeSurfaceTopology(withBridges(mesh));
-  std::string html =
-      "<section>\n<h2>Result</h2>\n<p>" +
-      escapeHtml(counted(mesh.triangles.size(), "walkable triangle", "walkable triangles") + ", " +
-                 counted(mesh.vertices.size(), "vertex", "vertices") + ", area " + areaText(result.summary.area) +
-                 "; " + layersText(mesh) + ", " + counted(mesh.connections.size(), "connection", "connections") + ", " +
-                 counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + "; " +
-                 counted(topology.componentCount, "connected part", "connected parts")) +
-      "</p>\n";
+  std::string html = "<section>\n<h2>Result</h2>\n<p>" +
+                     escapeHtml(counted(mesh.triangles.size(), "walkable triangle", "walkable triangles") + ", " +
+                                counted(mesh.vertices.size(), "vertex", "vertices") + ", area " +
+                                areaText(result.summary.area) + "; " + layersText(mesh) + ", " + connectionsText(mesh) +
+                                ", " + counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + "; " +
+                                counted(topology.componentCount, "connected part", "connected parts")) +
+                     "</p>\n";
   if (mesh.layerCount > 0)
     html += groupsTable("Layer", "layer_", sumGroups(mesh, mesh.layers, mesh.layerCount), false, areaText);
   if (topology.componentCount > 0) {

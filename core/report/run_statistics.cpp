@@ -326,6 +326,7 @@ void addMesh(Json& json, const NavigationMesh& mesh, const Components& component
   json["layers_at_least"] = leastLayers(mesh);
   json["layer_list"] = layersJson(mesh);
   json["connections"] = mesh.connections.size();
+  json["connections_at_least"] = leastConnections(mesh);
   const LinkFigures steps = measureLinks(mesh, StepKind::Step), gaps = measureLinks(mesh, StepKind::Gap);
   json["links"] = mesh.links.size();
   json["link_length"] = steps.planLength + gaps.planLength;
@@ -344,7 +345,7 @@ void addMesh(Json& json, const NavigationMesh& mesh, const Components& component
 
 std::string meshLines(const NavigationMesh& mesh) {
   const Components components = findComponents(mesh);
-  return layersText(mesh) + ", " + counted(mesh.connections.size(), "connection", "connections") + ", " +
+  return layersText(mesh) + ", " + connectionsText(mesh) + ", " +
          counted(mesh.obstacleEdges.size(), "obstacle edge", "obstacle edges") + '\n' + linkLine(mesh) +
          dropLine(mesh, components) + componentLines(components);
 }

@@ -54,6 +54,12 @@ Components findComponents(const NavigationMesh& mesh, const RunContext* context 
 /// depend on the number of threads. 0 without layers. O(n log n) for n triangles; on all threads.
 std::uint32_t leastLayers(const NavigationMesh& mesh);
 
+/// A proven lower bound of the number of connections, however many layers there are: a part that hangs together over
+/// edges and has n floors over one place is divided into n layers or more, so n - 1 of its edges at least are
+/// connections; the sum over all parts. Places are tried and work is done as for leastLayers(). Often far below the
+/// optimum, which is NP-hard to find: a wide ramp is divided along many edges, and one of them counts here.
+std::size_t leastConnections(const NavigationMesh& mesh);
+
 // --- Places ----------------------------------------------------------------------------------------------------------
 
 /// A place that was picked.

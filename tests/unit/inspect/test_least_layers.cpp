@@ -1,7 +1,8 @@
-// The lower bound of the number of layers: on meshes made by hand, and against a count over all triangles.
-// SPDX-License-Identifier: GPL-3.0-or-later
+// The lower bounds of the numbers of layers and connections: on meshes made by hand, and against a count over all
+// triangles. SPDX-License-Identifier: GPL-3.0-or-later
 #include <QtTest>
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/exact/source_predicates.hpp"
@@ -67,6 +68,29 @@ class TestLeastLayers : public QObject {
   // Only the corner at the rim of the second square lies over the first one.
   void findsThinOverlaps() { QCOMPARE(leastLayers(squares({{0, 0}, {1.99, 1.99}})), 2U); }
 
+  // A ramp that turns around itself, so that each turn lies above the one before; and a second one beside it.
+  void countsCutsOfParts() {
+    const auto connectionsOf = [](int quads, int count) {
+      Soup soup;
+      for (int ramp = 0; ramp < count; ++ramp) {
+        constexpr std::array<std::array<double, 2>, 4> kRays{{{1, 1}, {-1, 1}, {-1, -1}, {1, -1}}};
+        const auto at = [&](int ray, double radius) {
+          const auto& [x, y] = kRays[static_cast<std::size_t>(ray % 4)];
+          return Vec3{100.0 * ramp + radius * x, radius * y, 1.0 * ray};
+        };
+        for (int i = 0; i < quads; ++i) soup.quad(at(i, 10), at(i, 20), at(i + 1, 20), at(i + 1, 10));
+      }
+      return navigationMesh(runFilters(soup.environment(), minimalPipeline(1, 60) + "\nLayerSubdivisionFilter"));
+    };
+    QCOMPARE(leastConnections(NavigationMesh{}), std::size_t{0});
+    QCOMPARE(leastConnections(squares({{0, 0}, {0, 0}})), std::size_t{0});
+    QCOMPARE(leastConnections(connectionsOf(3, 1)), std::size_t{0});
+    QCOMPARE(leastConnections(connectionsOf(8, 1)), std::size_t{1});
+    QCOMPARE(leastConnections(connectionsOf(12, 1)), std::size_t{2});
+    QCOMPARE(leastConnections(connectionsOf(12, 2)), std::size_t{4});
+    QCOMPARE(connectionsOf(12, 2).connections.size(), std::size_t{4});
+  }
+
   void isABoundOfResults() {
     QVERIFY(check("at most the number of layers, at least a count over all triangles", 40, [] {
       const Soup soup = buildingOf(*buildingParts(12));
@@ -74,6 +98,7 @@ class TestLeastLayers : public QObject {
           navigationMesh(runFilters(soup.environment(), minimalPipeline(1, 60) + "\nLayerSubdivisionFilter"));
       const std::uint32_t least = leastLayers(mesh);
       RC_ASSERT(least <= mesh.layerCount);
+      RC_ASSERT(leastConnections(mesh) <= mesh.connections.size());
       if (mesh.layerCount > 1) RC_ASSERT(least >= std::min(mesh.layerCount, mostOverMiddles(mesh)));
     }));
   }
