@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # report.sh [--only PART,...] [BUILD_FOLDER [OPTION...]]: measures everything again and writes the tables of
-# docs/reference/measurements.md between their markers; with --only these parts: scenes, bench, reach, paths, editor. Options
-# go to footfall-bench (--runs 3 --seconds 2: quick and rough). Environments and scenes from outside come from the
+# docs/reference/measurements.md between their markers; with --only these parts: scenes, bench, layers, reach, paths, editor.
+# Options go to footfall-bench (--runs 3 --seconds 2: quick and rough). Environments and scenes from outside come from the
 # folder $FOOTFALL_SHARED (../shared unless set); its prototype/ is built when it is there. The editor is measured where it was
 # built and a display is or xvfb-run can make one. Takes half an hour; a machine that does something else meanwhile
 # spoils the figures, but for the scenes, whose ratios are of processor times in one run. When a measurement fails, the
@@ -9,15 +9,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 set -euo pipefail
 repository="$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd)"
-only=scenes,bench,reach,paths,editor
+only=scenes,bench,layers,reach,paths,editor
 if [ "${1:-}" = --only ]; then
-  only="${2:?report.sh: --only takes parts: scenes, bench, reach, paths, editor}"
+  only="${2:?report.sh: --only takes parts: scenes, bench, layers, reach, paths, editor}"
   shift 2
   for part in ${only//,/ }; do
     case "${part}" in
-      scenes | bench | reach | paths | editor) ;;
+      scenes | bench | layers | reach | paths | editor) ;;
       *)
-        echo "report.sh: ${part} is no part of the report; give scenes, bench, reach, paths or editor" >&2
+        echo "report.sh: ${part} is no part of the report; give scenes, bench, layers, reach, paths or editor" >&2
         exit 2
         ;;
     esac
@@ -54,6 +54,14 @@ if asked bench; then
   fi
   "${build}/footfall-bench" "${arguments[@]}"
   replace bench "${scratch}/bench.md"
+fi
+
+if asked layers; then
+  arguments=()
+  environments
+  scenes
+  "${build}/footfall-layers-bench" "${arguments[@]}" >"${scratch}/layers.md"
+  replace layers "${scratch}/layers.md"
 fi
 
 if asked reach; then
