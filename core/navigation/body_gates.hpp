@@ -40,12 +40,12 @@ inline void keepAhead(TautGate& gate, const TautGate& before) {
   const auto isAhead = [](FieldVector right, FieldVector left, FieldVector end) {
     return turnOf(right, left, end) <= 0;
   };
-  const bool isRightFirst =
-      isAhead(before.right, before.left, gate.right) && isAhead(gate.right, before.left, gate.left);
-  gate.isLeftFirst =
-      !isRightFirst && isAhead(before.right, before.left, gate.left) && isAhead(before.right, gate.left, gate.right);
-  if (isRightFirst || gate.isLeftFirst) return;
-  if (!isAhead(before.right, before.left, gate.right)) {
+  const bool isRightAhead = gate.rightEnd == before.rightEnd || isAhead(before.right, before.left, gate.right);
+  const bool isLeftAhead = gate.leftEnd == before.leftEnd || isAhead(gate.right, before.left, gate.left);
+  if (isRightAhead && isLeftAhead) return;
+  gate.isLeftFirst = isAhead(before.right, before.left, gate.left) && isAhead(before.right, gate.left, gate.right);
+  if (gate.isLeftFirst) return;
+  if (!isRightAhead) {
     gate.right = before.right;
     gate.rightEnd = before.rightEnd;
   }

@@ -25,7 +25,10 @@ inline int turnOf(FieldVector a, FieldVector b, FieldVector c) {
   // The differences and products of doubles err by less than this share (Shewchuk 1997, orient2d).
   constexpr double kError = 0x1.8p-52 * (1 + 0x1p-48);
   const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), difference = left - right;
-  if (std::fabs(difference) > kError * (std::fabs(left) + std::fabs(right))) return difference > 0 ? 1 : -1;
+  const double sum = std::fabs(left) + std::fabs(right);
+  if (std::fabs(difference) > kError * sum) return difference > 0 ? 1 : -1;
+  // Two places are one, or all three are on a line along an axis.
+  if ((b.x == a.x || c.y == a.y) && (b.y == a.y || c.x == a.x)) return 0;
   return facing({a.x, a.y, 0}, {b.x, b.y, 0}, {c.x, c.y, 0});
 }
 
