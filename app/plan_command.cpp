@@ -23,6 +23,8 @@ struct PlanCommandOptions {
   std::string scale, paper;  ///< empty: what fits
   std::uint32_t part = 0;    ///< number from 1; 0: all
   std::string coordinateSystem;
+  std::optional<double> narrowerThan, widerThan;  ///< in the file's units
+  bool corridors = false;
   bool storeys = false, blackAndWhite = false;
   bool quiet = false;
 };
@@ -50,6 +52,18 @@ PlanOptions planOptions(const PlanCommandOptions& options) {
   plan.paper = paperFrom(options.paper);
   if (options.part > 0) plan.part = options.part - 1;
   plan.coordinateSystem = options.coordinateSystem;
+  if (options.narrowerThan && !(std::isfinite(*options.narrowerThan) && *options.narrowerThan > 0))
+    throw InputError("--narrower-than: must be a width in the file's units; give a number above 0");
+  if (options.widerThan && !(std::isfinite(*options.widerThan) && *options.widerThan >= 0))
+    throw InputError("--wider-than: must be a width in the file's units; give a number that is not negative");
+  const PlanFormat format = planFormatOf(options.output);
+  if ((options.narrowerThan || options.corridors) && format != PlanFormat::Svg && format != PlanFormat::Pdf)
+    throw InputError(options.output +
+                     ": --narrower-than and --corridors are drawn on plans; give a name that ends in .svg or .pdf, or "
+                     "write the map by footfall corridors -o");
+  plan.narrowerThan = options.narrowerThan;
+  plan.widerThan = options.widerThan;
+  plan.hasCorridors = options.corridors;
   return plan;
 }
 
@@ -104,6 +118,17 @@ void addPlanCommand(CLI::App& app) {
                   "the smallest that holds it")
       ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}, CLI::ignore_case))
       ->type_name(kPaperNames);
+  CLI::Option* narrower =
+      command
+          .add_option("--narrower-than", options->narrowerThan,
+                      "Draw passages narrower than this as dimension lines with their widths, in the file's units")
+          ->type_name("W");
+  command
+      .add_option("--wider-than", options->widerThan,
+                  "Draw only those wider than this, in the file's units; 0.1 m by default")
+      ->needs(narrower)
+      ->type_name("W");
+  command.add_flag("--corridors", options->corridors, "Draw the corridor map: lines in the middle of passages");
   addPolygonOptions(command, options->part, options->coordinateSystem);
   command.add_flag("--black-and-white", options->blackAndWhite, "Draw without colours, for printing");
   command.add_flag("--quiet", options->quiet, "No progress bar, and no list of files");

@@ -157,6 +157,10 @@ class TitleBlock {
         line({x + tick, middle + 0.5}, {x + tick, middle - 0.5}, {style_.drop, 0.25});
     });
     entry(contents.passages, "to another page", 22, stroke({style_.passage, 0.25, {1.8, 0.9}}));
+    entry(contents.corridors, "middle of passages", 24, stroke({style_.corridor, 0.13}));
+    entry(contents.bottlenecks, "narrow passage", 19, [&] {
+      addDimension(sheet_.frame, {x + 0.5, middle}, {x + kSample - 0.5, middle}, style_.bottleneck);
+    });
   }
 
   void drawScaleBar(double metresPerUnit) {
@@ -195,6 +199,12 @@ class TitleBlock {
   double left_, right_, bottom_;
 };
 
+std::optional<PlanCorridors> corridorsOf(const NavigationMesh& mesh, const PlanOptions& options, double metresPerUnit) {
+  if (!options.narrowerThan && !options.hasCorridors) return std::nullopt;
+  return PlanCorridors{makeCorridorMap(mesh), options.hasCorridors,
+                       options.widerThan.value_or(kNarrowestPassage / metresPerUnit), options.narrowerThan.value_or(0)};
+}
+
 /// "heights 0 m to 3.2 m, walkable 412 m²"
 std::string figuresOf(const NavigationMesh& mesh, const PlanPage& page, double area, double metresPerUnit) {
   double lower = std::numeric_limits<double>::infinity(), upper = -lower;
@@ -226,8 +236,16 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
   const NumberedParts parts = numberParts(mesh, poll);
   const std::vector<PlanFlight> flights = findFlights(mesh, kLongestTread / metres, poll);
   const std::vector<PlanDoor> doors = findDoors(environment, poll);
-  const PlanSubject subject{
-      environment, mesh, parts, flights, pages, doors, {kCutHeight * height, kLevelTolerance * height, margin}};
+  const std::optional<PlanCorridors> corridors = corridorsOf(mesh, options, metres);
+  poll();
+  const PlanSubject subject{environment,
+                            mesh,
+                            parts,
+                            flights,
+                            pages,
+                            doors,
+                            corridors ? &*corridors : nullptr,
+                            {kCutHeight * height, kLevelTolerance * height, margin}};
   const std::string name = environment.source.empty()
                                ? std::string("Floor plan")
                                : std::filesystem::path(environment.frame().source).filename().string();

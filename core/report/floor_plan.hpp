@@ -34,6 +34,10 @@ struct PlanOptions {
   std::optional<double> scale;
   /// Empty: A4, or A3 where A4 would be smaller than 1:100; with a scale the smallest that holds it.
   std::optional<Paper> paper;
+  /// SVG and PDF: bottlenecks narrower than this are drawn as dimension lines, in the environment's units; empty: none.
+  std::optional<double> narrowerThan;
+  std::optional<double> widerThan;    ///< and wider than this; empty: 0.1 m
+  bool hasCorridors = false;          ///< SVG and PDF: the corridor map is drawn
   std::optional<std::uint32_t> part;  ///< WKT and GeoJSON: this connected part alone, from 0
   std::string coordinateSystem = {};  ///< GeoJSON: "EPSG:25832"; empty: none is named
 };

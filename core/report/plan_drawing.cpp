@@ -55,6 +55,12 @@ class PageDrawer {
     drawDrops();
     drawPassages();
     drawFlights();
+    if (subject_.corridors != nullptr) {
+      const auto drawn = drawCorridors(*subject_.corridors, mesh_, isHere_, subject_.environment.metresPerUnit, layout_,
+                                       style_.corridor, style_.bottleneck, drawing_, words_);
+      contents_.corridors = drawn.lines;
+      contents_.bottlenecks = drawn.bottlenecks;
+    }
     drawAreas();
     return contents_;
   }
@@ -353,10 +359,12 @@ class PageDrawer {
 PlanStyle planStyle(PlanColours colours) {
   constexpr Rgb kBlack{0, 0, 0}, kDark{60, 60, 60};
   if (colours == PlanColours::BlackAndWhite)
-    return {{232, 232, 232}, kBlack, kDark, kBlack, kBlack, kBlack, {150, 150, 150}, kBlack, kBlack, kBlack, kBlack};
+    return {{232, 232, 232}, kBlack, kDark,  kBlack, kBlack, kBlack, {150, 150, 150},
+            kBlack,          kBlack, kBlack, kBlack, kDark,  kBlack};
   // The editor's colours; words and lines of gaps and steps on a light tint of the first layer's.
   constexpr Rgb kTint{214, 240, 230};
-  return {kTint, kDark, kDark, kBlack, kVermilion, kBlue, kOrange, kReddishPurple, kDark, kBlack, kDark};
+  return {kTint,          kDark, kDark,  kBlack, kVermilion, kBlue,     kOrange,
+          kReddishPurple, kDark, kBlack, kDark,  kSkyBlue,   kVermilion};
 }
 
 PlanContents drawPlanPage(const PlanSubject& subject, std::size_t page, const PlanLayout& layout,

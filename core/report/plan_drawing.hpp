@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/mesh/plan_outline.hpp"
+#include "core/report/plan_corridors.hpp"
 #include "core/report/plan_doors.hpp"
 #include "core/report/plan_layout.hpp"
 #include "core/report/plan_pages.hpp"
@@ -17,12 +18,12 @@ namespace footfall::detail {
 /// The content of a page, for the texts around it.
 struct PlanContents {
   bool walls = false, doors = false, obstacleEdges = false, steps = false, gaps = false, drops = false,
-       passages = false;
+       passages = false, corridors = false, bottlenecks = false;
   double area = 0;  ///< area of the drawn floors; the square of the environment's unit
 };
 
 struct PlanStyle {
-  Rgb walkable, border, wall, wallLine, obstacleEdge, step, gap, drop, passage, text, door;
+  Rgb walkable, border, wall, wallLine, obstacleEdge, step, gap, drop, passage, text, door, corridor, bottleneck;
 };
 PlanStyle planStyle(PlanColours colours);
 
@@ -33,6 +34,7 @@ struct PlanSubject {
   const std::vector<PlanFlight>& flights;
   const std::vector<PlanPage>& pages;
   const std::vector<PlanDoor>& doors;
+  const PlanCorridors* corridors;  ///< null: none are drawn
   WallCut cut;
 };
 

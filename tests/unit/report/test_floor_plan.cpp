@@ -310,6 +310,38 @@ class TestFloorPlan : public QObject {
     QVERIFY(says(drops[0], "drop") && says(drops[0], "part 2"));
   }
 
+  void bottlenecksAreDimensionLines() {
+    // Two rooms, and between them a passage of 1 and one of 2.
+    const Level level(Soup().floor(0, 0, 4, 6, 0).floor(4, 0.5, 6, 1.5, 0).floor(4, 3, 6, 5, 0).floor(6, 0, 10, 6, 0));
+    const auto countOf = [](const Sheet& sheet, const char* words) {
+      const auto all = wordsOf(sheet);
+      return std::count(all.begin(), all.end(), words);
+    };
+    PlanOptions options;
+    const Sheet without = level.draw(options)[0];
+    QVERIFY(!says(without, "1.00 m") && !says(without, "narrow passage") && !says(without, "middle of passages"));
+    options.narrowerThan = 1.5;
+    const Sheet one = level.draw(options)[0];
+    QCOMPARE(countOf(one, "1.00 m"), 1);
+    QCOMPARE(countOf(one, "2.00 m"), countOf(without, "2.00 m"));
+    QVERIFY(says(one, "narrow passage") && !says(one, "middle of passages"));
+    // The line goes from border to border: 1 m at 1:50 is 20 mm.
+    const bool hasLine = std::any_of(one.drawing.begin(), one.drawing.end(), [](const SheetShape& shape) {
+      const auto* path = std::get_if<SheetPath>(&shape);
+      if (path == nullptr || path->lines.size() != 3 || path->lines[0].size() != 2) return false;
+      const SheetPoint &a = path->lines[0][0], &b = path->lines[0][1];
+      return std::fabs(std::hypot(a.x - b.x, a.y - b.y) - 20) < 1e-9;
+    });
+    QVERIFY(hasLine);
+    options.narrowerThan = 3;
+    options.hasCorridors = true;
+    const Sheet both = level.draw(options)[0];
+    QCOMPARE(countOf(both, "1.00 m"), 1);
+    QVERIFY(says(both, "2.00 m") && says(both, "middle of passages"));
+    options.widerThan = 1.2;
+    QCOMPARE(countOf(level.draw(options)[0], "1.00 m"), 0);
+  }
+
   void nothingWalkable() { QVERIFY_EXCEPTION_THROWN(Level(Soup().wall(0, 0, 1, 0, 0, 1)).draw(), InputError); }
 
   void svgIsXmlAndTheSameTwice() {
@@ -382,6 +414,8 @@ class TestFloorPlan : public QObject {
     QTest::newRow("fit") << QStringList{"-o", "p.pdf", "--paper", "A4", "--plan-scale", "10"}
                          << QByteArray("does not fit");
     QTest::newRow("system") << QStringList{"-o", "p.geojson", "--crs", "here"} << QByteArray("EPSG:25832");
+    QTest::newRow("width") << QStringList{"-o", "p.svg", "--narrower-than", "0"} << QByteArray("--narrower-than");
+    QTest::newRow("polygons") << QStringList{"-o", "p.wkt", "--corridors"} << QByteArray("footfall corridors -o");
     QTest::newRow("part") << QStringList{"-o", "p.wkt", "--part", "0"} << QByteArray("--part");
   }
   void wrongUsage() {

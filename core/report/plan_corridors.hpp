@@ -1,0 +1,37 @@
+// Widths of passages on a floor plan: the corridor map as lines, and bottlenecks as dimension lines.
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/report/plan_layout.hpp"
+#include "core/report/plan_sheet.hpp"
+#include "footfall/corridor_map.hpp"
+
+namespace footfall::detail {
+
+/// Metres: narrower slits between modelled things are passages for nobody.
+inline constexpr double kNarrowestPassage = 0.1;
+
+struct PlanCorridors {
+  CorridorMap map;
+  bool hasLines = false;                   ///< the map is drawn
+  double widerThan = 0, narrowerThan = 0;  ///< bottlenecks between both are drawn, in the environment's units
+};
+
+/// What a page has of the map.
+struct PlanCorridorContents {
+  bool lines = false, bottlenecks = false;
+};
+
+/// Draws what of the map lies on triangles with `isHere`. Dimension lines go from border to border, with a tick at
+/// either end; their words, the widths in metres, are added to `words`.
+PlanCorridorContents drawCorridors(const PlanCorridors& corridors, const NavigationMesh& mesh,
+                                   const std::vector<char>& isHere, double metresPerUnit, const PlanLayout& layout,
+                                   const Rgb& lineColour, const Rgb& dimensionColour, std::vector<SheetShape>& drawing,
+                                   std::vector<SheetText>& words);
+
+/// A line from `a` to `b` with oblique ticks at its ends.
+void addDimension(std::vector<SheetShape>& drawing, SheetPoint a, SheetPoint b, const Rgb& colour);
+
+}  // namespace footfall::detail
