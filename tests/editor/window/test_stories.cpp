@@ -390,12 +390,12 @@ void TestStories::theWheelchairTriesTheDoor(const Bottleneck& door) {
     QTest::keyClicks(radius, QLatin1String(number));
   };
   type("0.55");
-  QTRY_VERIFY_WITH_TIMEOUT(path.bodyPath() && path.bodyPath()->status == BodyPathStatus::TooNarrow, kWaitMs);
+  QTRY_VERIFY_WITH_TIMEOUT(path.bodyPath() && path.bodyPath()->status == BodyPathStatus::TooNarrow, 3 * kWaitMs);
   QVERIFY(std::abs(path.bodyPath()->lacking - 0.1) < 1e-9);
   QTest::mouseClick(window_->findChild<QPushButton*>(QStringLiteral("pathShowPassage")), Qt::LeftButton);
   picture(QStringLiteral("guide-wheelchair"));
   type("0.45");
-  QTRY_VERIFY_WITH_TIMEOUT(path.result() && path.result()->reached(), kWaitMs);
+  QTRY_VERIFY_WITH_TIMEOUT(path.result() && path.result()->reached(), 3 * kWaitMs);
   partOf<PathFeature>(*window_).walk().walker().setTime(
       partOf<PathFeature>(*window_).walk().walker().track().seconds() / 3);
   picture(QStringLiteral("guide-wheelchair-fits"));
