@@ -34,9 +34,16 @@ struct CorridorsOptions {
 constexpr double kNarrowest = 0.1;
 
 bool isGeoJson(const std::string& path) { return path.ends_with(".geojson"); }
+bool isGlb(const std::string& path) { return path.ends_with(".glb"); }
+
+std::string contentFor(const std::string& path, const CorridorMap& map) {
+  if (isGlb(path)) return formatCorridorsGlb(map);
+  return isGeoJson(path) ? formatCorridorsGeoJson(map) : formatCorridorsJson(map);
+}
 
 void checkCorridors(const CorridorsOptions& options) {
-  if (!options.output.empty() && !isGeoJson(options.output)) checkEnding(options.output, "-o", ".json");
+  if (!options.output.empty() && !isGeoJson(options.output) && !isGlb(options.output))
+    checkEnding(options.output, "-o", ".json");
   targetsBeside(options.environment, options.pipeline).add(options.output, FOOTFALL_TEXT("the corridor map"));
   if (options.narrowerThan && !(std::isfinite(*options.narrowerThan) && *options.narrowerThan > 0))
     throw InputError("--narrower-than: must be a width in the file's units; give a number above 0");
@@ -89,8 +96,7 @@ void findCorridors(const CorridorsOptions& options) {
   const RunResult run = session.run(environment, *pipeline, options.pipeline);
   session.begin("making the corridor map");
   const CorridorMap map = makeCorridorMap(*run.mesh, options.map, &session.context());
-  if (!options.output.empty())
-    writeFileSafely(options.output, isGeoJson(options.output) ? formatCorridorsGeoJson(map) : formatCorridorsJson(map));
+  if (!options.output.empty()) writeFileSafely(options.output, contentFor(options.output, map));
   session.end();
   const double most = options.narrowerThan.value_or(std::numeric_limits<double>::infinity());
   const double least = options.widerThan.value_or(kNarrowest / environment->metresPerUnit);
@@ -141,7 +147,8 @@ void addCorridorsCommand(CLI::App& app) {
   command.add_flag("--full", options->map.full, "Keep the pieces of the map that lead into convex corners");
   command
       .add_option("-o,--output", options->output,
-                  "Write the map to this file: .json, which the library reads back, or .geojson in metres")
+                  "Write the map to this file: .json, which the library reads back, .geojson in metres, or .glb: lines "
+                  "coloured by width")
       ->type_name("MAP");
   addThreads(command, options->threads);
   command.add_flag("--quiet", options->quiet, "No progress bar");

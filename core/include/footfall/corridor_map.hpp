@@ -94,6 +94,10 @@ CorridorMap parseCorridorsJson(const std::string& text, const std::string& name)
 /// The map as GeoJSON: edges as lines, bottlenecks as lines from border to border; X and Y in metres, Z up.
 std::string formatCorridorsGeoJson(const CorridorMap& map);
 
+/// The map as binary glTF 2.0: a mesh of lines for the edges and one for the bottlenecks, from border to border, in
+/// metres with Y up. Colours go from vermilion (0.8 m or less) to blue (2 m or more). Throws InputError above 4 GB.
+std::string formatCorridorsGlb(const CorridorMap& map);
+
 /// A way on the map for an agent with a body.
 struct CorridorPath {
   std::vector<std::uint32_t> vertices;  ///< from the start's to the end's; empty where there is no way

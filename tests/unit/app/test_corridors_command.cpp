@@ -1,9 +1,15 @@
 // `footfall corridors`, run as a user does.
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QtTest>
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cmath>
 
 #include "footfall/corridor_map.hpp"
 #include "tests/unit/environment_files.hpp"
@@ -85,6 +91,33 @@ class TestCorridorsCommand : public QObject {
     const QJsonObject json = QJsonDocument::fromJson(readAll(lines)).object();
     QCOMPARE(json["type"].toString(), QString("FeatureCollection"));
     QCOMPARE(json["features"].toArray().last().toObject()["properties"].toObject()["width"].toDouble(), 1.0);
+  }
+
+  void writesLinesForOtherPrograms() {
+    const TemporaryFolder folder;
+    const std::string file = folder.write("rooms.obj", kRooms), lines = folder.path("map.glb");
+    QCOMPARE(runProgram(corridors(file, {"-o", QString::fromStdString(lines)})).exitCode, 0);
+    Assimp::Importer importer;
+    const aiScene* scene = importer.ReadFile(lines, aiProcess_ValidateDataStructure);
+    QVERIFY2(scene != nullptr, importer.GetErrorString());
+    QCOMPARE(scene->mNumMeshes, 2U);
+    const aiMesh &edges = *scene->mMeshes[0], &bottlenecks = *scene->mMeshes[1];
+    QCOMPARE(QString(edges.mName.C_Str()), QStringLiteral("corridors"));
+    QCOMPARE(edges.mPrimitiveTypes, static_cast<unsigned>(aiPrimitiveType_LINE));
+    QVERIFY(edges.mNumFaces > 3);
+    // Y is up: both rooms are at height 1, from z = -4 to 0.
+    for (unsigned i = 0; i < edges.mNumVertices; ++i) {
+      const aiVector3D& p = edges.mVertices[i];
+      QCOMPARE(p.y, 1.0F);
+      QVERIFY(p.x > 0 && p.x < 10 && p.z > -4 && p.z < 0);
+    }
+    QCOMPARE(bottlenecks.mNumVertices, 2U);
+    QVERIFY(std::fabs((bottlenecks.mVertices[0] - bottlenecks.mVertices[1]).Length() - 1) < 1e-6F);
+    // 1 m is narrower than 2 m: more red than the widest place.
+    const auto redOf = [](const aiMesh& mesh, unsigned vertex) { return mesh.mColors[0][vertex].r; };
+    float least = 1;
+    for (unsigned i = 0; i < edges.mNumVertices; ++i) least = std::min(least, redOf(edges, i));
+    QVERIFY(redOf(bottlenecks, 0) > least + 0.1F);
   }
 
   void refusesWhatMeansNothing() {
