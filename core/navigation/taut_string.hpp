@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
+#include "core/exact/error_double.hpp"
 #include "core/exact/source_predicates.hpp"
 #include "core/mesh/field_surface.hpp"
 
@@ -22,11 +22,8 @@ struct TautGate {
 
 /// The sign of the turn from a over b to c, exactly: 1 to the left, -1 to the right, 0 on a line.
 inline int turnOf(FieldVector a, FieldVector b, FieldVector c) {
-  // The differences and products of doubles err by less than this share (Shewchuk 1997, orient2d).
-  constexpr double kError = 0x1.8p-52 * (1 + 0x1p-48);
-  const double left = (b.x - a.x) * (c.y - a.y), right = (b.y - a.y) * (c.x - a.x), difference = left - right;
-  const double sum = std::fabs(left) + std::fabs(right);
-  if (std::fabs(difference) > kError * sum) return difference > 0 ? 1 : -1;
+  constexpr double kUnderflow = 0x1p-1000;  // products below lose more than their share
+  if (const MaybeSign sign = filteredArea(b.x - a.x, b.y - a.y, c.x - a.x, c.y - a.y, kUnderflow)) return *sign;
   // Two places are one, or all three are on a line along an axis.
   if ((b.x == a.x || c.y == a.y) && (b.y == a.y || c.x == a.x)) return 0;
   return facing({a.x, a.y, 0}, {b.x, b.y, 0}, {c.x, c.y, 0});
