@@ -77,7 +77,7 @@ std::string lineOf(const Bottleneck& b, const CorridorMap& map) {
   return text + '\n';
 }
 
-/// What the list leaves out, for the line above it; empty where that is nothing.
+/// Says how many bottlenecks the list leaves out, and why; empty where it leaves out none.
 std::string leftOut(std::size_t slits, const std::string& least, std::size_t shallow, const std::string& percent) {
   std::string text;
   if (slits > 0) text += "; left out: " + std::to_string(slits) + ", at most " + least + " wide";

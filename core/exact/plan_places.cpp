@@ -4,7 +4,7 @@
 namespace footfall::detail {
 namespace {
 
-/// Where both lists differ, an equal place is looked for so far ahead in either.
+/// An equal place is looked for so far ahead in either list where they differ.
 constexpr std::size_t kAhead = 512;
 /// No more places than so many for each place of both lists are looked at: lists that differ too much are not related.
 constexpr std::size_t kMostLooked = 4;

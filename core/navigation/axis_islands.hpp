@@ -16,7 +16,7 @@ namespace footfall::detail {
 /// border edges whose ends are rounded, labels may divide it. A part that does not reach the border is an island. The
 /// axis around it is a cycle around nothing; a gate on the cycle may have both ends on one side of the way.
 ///
-/// Without the arcs that are returned, each region reaches the border. The arc that an island loses is the one whose
+/// Each region reaches the border without the arcs that are returned. The arc that an island loses is the one whose
 /// nearest places of the border are nearest to each other: two edges of one row, not two sides of a corridor.
 std::vector<char> arcsToLeaveOut(const ClearanceField& field, const CorridorAxis& axis, Poll poll);
 

@@ -6,7 +6,7 @@
 // network in some order, and on them, gates: from a place on the axis to its nearest border on the left and on the
 // right, less e on both sides, where e is larger than r by 1 / cos(1/20); or the place itself, where the border is
 // nearer than e. Among all ways with the same order, the shortest is the taut one (core/navigation/taut_string.hpp).
-// Where the border is a corner, gates turn round it by at most a tenth between each other. A gate is taken as the
+// Gates turn round a corner of the border by at most a tenth between each other. A gate is taken as the
 // straight line between its ends, which lies in the empty disc about its place on the axis, so that this changes no
 // way's length.
 //

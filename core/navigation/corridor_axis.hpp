@@ -39,7 +39,7 @@ enum class AxisPair {
 struct CorridorAxis {
   std::vector<AxisNode> nodes;
   std::vector<AxisArc> arcs;
-  /// For each region, whether it reaches its feature. Roundings can divide the places of one feature into several
+  /// 1 for each region that reaches its feature. Roundings can divide the places of one feature into several
   /// regions (core/navigation/axis_islands.hpp).
   std::vector<char> reachesBorder;
 };

@@ -304,7 +304,7 @@ std::optional<CorridorFoot> CorridorNetwork::wayNear(std::uint32_t face, FieldVe
       double fault = std::max({0.0, way.begin - at, at - way.end});
       for (const std::uint32_t other : way.features)
         fault += std::fabs(distanceOf(field_.features()[other], p) - distance);
-      // Where the way of the feature ends, others begin that lead along other borders.
+      // Other ways, along other borders, begin where the way of the feature ends.
       const bool isOwn = fault <= slack && std::ranges::find(way.features, feature) != way.features.end();
       if (isOwn == hasFeature ? fault >= least : hasFeature) continue;
       least = fault;

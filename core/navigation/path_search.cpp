@@ -195,7 +195,7 @@ class Search {
     return node.root != kNoElement && node.length > reached_[node.root].length * (1 + kRounding);
   }
 
-  /// Whether no node with the same view that was compared here is as short; remembers the node if so. Only roots that
+  /// Returns true where no node with the same view that was compared here is as short. Only views of roots that
   /// were reached several times on ways of nearly one length need it. Corners that lie closer together than
   /// isOvertaken() tells apart, and blocks in rows, would otherwise be searched once for each combination of such ways.
   bool isShortest(const Node& node) {

@@ -19,7 +19,7 @@ struct PlanCorridors {
   double widerThan = 0, narrowerThan = 0;  ///< bottlenecks between both are drawn, in the environment's units
 };
 
-/// What a page has of the map.
+/// The parts of the map that a page shows.
 struct PlanCorridorContents {
   bool lines = false, bottlenecks = false;
 };

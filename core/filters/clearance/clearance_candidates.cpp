@@ -190,7 +190,7 @@ void ClearanceCandidates::search(const Box& box, bool isPart) {
     mesh_.tree.visitOverlapping(box, stack_, take);
   } else {
     const auto& [a, b, c] = mesh_.triangles[face_];
-    // Where doubles decide the plan, that is as quick as comparing boxes, and leaves out more.
+    // The plan is as quick to compare as boxes where doubles decide it, and leaves out more.
     const auto takeAny = [&](Index obstacle) {
       if (exactOrientations_)
         consider(obstacle);

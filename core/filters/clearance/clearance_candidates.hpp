@@ -109,7 +109,7 @@ class ClearanceCandidates {
   void chooseHeights();
   /// Prepares integerHeights() above the face.
   void beginIntegers();
-  /// In units of the grid of the mesh and the clearance.
+  /// The difference in units of the grid of the mesh and the clearance.
   [[nodiscard]] std::array<std::int64_t, 3> unitsBetween(const Vec3& from, const Vec3& to) const;
   /// A line of the plan through two source vertices, as doubles compute with it.
   struct Line {

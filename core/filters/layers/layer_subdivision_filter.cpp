@@ -5,7 +5,7 @@
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds. Outlines decide which regions lie above themselves (double_cover.hpp), and
 // triangles are looked up among those of a piece (piece_conflicts.hpp) or of the pieces of a layer (layer_cover.hpp).
-// Where later runs need them, all overlapping pairs of triangles are listed instead, unless there are far more of them
+// All overlapping pairs of triangles are listed instead where later runs need them, unless there are far more of them
 // than triangles, as in a tower of thousands of floors or a spiral of hundreds of turns. The result is the same.
 
 #include <algorithm>

@@ -102,7 +102,7 @@ class SearchedConflicts {
   RunContext& context_;
   MeshGeometry geometry_;
   std::size_t tested_ = 0;
-  // For each of the region's triangles:
+  // One entry for each of the region's triangles:
   std::vector<PlanTriangle> plans_;
   std::vector<MemberTree::Bounds> bounds_;
   MemberTree growing_;  ///< with the piece that grows as members

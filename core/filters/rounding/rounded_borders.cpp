@@ -17,7 +17,7 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kBordersPerTask = 256;
-/// Where at least one border in so many is looked up, all of them are looked up in rows, which takes less.
+/// All borders are looked up in rows where at least one in so many is looked up, which takes less.
 constexpr std::size_t kShareOfRows = 3;
 
 using Place = std::tuple<double, double, double>;

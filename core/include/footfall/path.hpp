@@ -172,7 +172,7 @@ class PathFinder {
                                 double reach = std::numeric_limits<double>::infinity(),
                                 const RunContext* context = nullptr) const;
 
-  /// What find() returns of it without the path itself: the status, the start, the end and the target, and whether
+  /// Returns what find() returns, without the path itself: the status, the start, the end and the target, and whether
   /// drops lead back. It takes no search.
   [[nodiscard]] PathResult findEnds(const Vec3& from, const Vec3& to,
                                     double reach = std::numeric_limits<double>::infinity()) const;

@@ -202,7 +202,7 @@ class TestSourceMesh : public QObject {
       });
       QVERIFY(std::count(met.begin(), met.end(), 1) == 0);  // a box holds its triangle
     }
-    // What an edit adds is found in the same frame.
+    // Triangles that an edit adds are found in the same frame.
     const auto count = static_cast<std::int32_t>(mesh.triangles.size());
     std::vector<std::int32_t> numbers(mesh.triangles.size());
     std::iota(numbers.begin(), numbers.end(), 0);
@@ -251,7 +251,7 @@ class TestSourceMesh : public QObject {
     QVERIFY(relatePlanPlaces(plain, before).empty());
   }
 
-  // What two meshes have in common is what an edit of one to the other keeps.
+  // An edit of one mesh to the other keeps what both have in common.
   void matchesAreEdits() {
     Random random(11);
     for (int round = 0; round < 50; ++round) {

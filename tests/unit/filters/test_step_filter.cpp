@@ -143,7 +143,7 @@ class TestStepFilter : public QObject {
       begins.floor(0, -2 - apart, 4, -apart, 0).ramp(0, 0, 4, 2, 0.5, 2.5);
       QCOMPARE(linksOn(begins, 0, gap), std::size_t{0});
       QCOMPARE(linksOn(begins, kGrid, gap), std::size_t{0});
-      // What is lower than the limit for a while is linked so far.
+      // A rise that is lower than the limit for a while is linked so far.
       crosses.floor(0, -2 - apart, 4, -apart, 0).ramp(0, 0, 4, 2, 0.25, 2.25);
       QVERIFY(linksOn(crosses, kGrid, gap) >= 1);
       parallel.ramp(0, -2 - apart, 4, -apart, 0, 2).ramp(0, 0, 4, 2, 0.5, 2.5 + 3 * kGrid);

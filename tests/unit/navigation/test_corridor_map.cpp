@@ -48,7 +48,7 @@ double areaOf(const CorridorMap& map) {
                          [](double sum, const CorridorEdge& edge) { return sum + edge.area; });
 }
 
-/// For each part of the walkable area, how many holes it has.
+/// The number of holes of each part of the walkable area.
 std::vector<int> holesOf(const FieldSurface& surface) {
   std::vector<int> characteristics;  // corners less edges and faces: 1 less for each hole
   const auto at = [&](Index part) -> int& {
