@@ -212,12 +212,14 @@ void DropFinder::dropStraight(const Border& border, const std::vector<EdgePiece>
     for (const SignAlong& sign : landing.inside) pieces.add(sign);
     pieces.add(landing.below);
     pieces.add(landing.deep);
+    const EdgeExtent extent = kinds.extentOf({places_[m.corners[0]], places_[m.corners[1]], places_[m.corners[2]]});
     // Obstacles over the landing, below the head of an agent at the start.
     if (!std::exchange(hasLookedBelow, true)) kinds.lookBelow(kinds.heightOf(levels_.depth));
     std::vector<std::pair<const CoverAlong*, SignAlong>> over;
     for (std::size_t i = 0; i < kinds.covers().size(); ++i) {
       const CoverAlong& c = kinds.covers()[i];
       if (!c.isOutside || c.triangle == face || (c.underHeight.begin >= 0 && c.underHeight.end >= 0)) continue;
+      if (!kinds.mayBeOver(c.extent, extent)) continue;
       SignAlong above = signs.height(edge, c.triangle, face, 0);
       if (above.begin <= 0 && above.end <= 0) continue;
       signs.locate(edge, above);

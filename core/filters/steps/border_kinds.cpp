@@ -27,6 +27,19 @@ std::array<Vec3, 3> BorderKinds::cornersOf(Index triangle) const {
   return {mesh.scaled[f[0]], mesh.scaled[f[1]], mesh.scaled[f[2]]};
 }
 
+EdgeExtent BorderKinds::extentOf(const std::array<Vec3, 3>& corners) const {
+  const auto along = [&](std::size_t k) { return frame_.along().at(frame_.local(corners[k])); };
+  const auto [first, last] = std::minmax({along(0), along(1), along(2)});
+  const auto [lowest, highest] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+  return {first, last, lowest, highest};
+}
+
+bool BorderKinds::mayBeOver(const EdgeExtent& triangle, const EdgeExtent& other) const {
+  const double margin = 2 * frame_.margin(), alongMargin = margin / frame_.length();
+  return triangle.last >= other.first - alongMargin && triangle.first <= other.last + alongMargin &&
+         triangle.highest >= other.lowest - margin;
+}
+
 void BorderKinds::widen(Box& box) const {
   const int unscale = -kernel_.mesh().grid.scaleExponent();
   for (int k = 0; k < 3; ++k) {
@@ -88,6 +101,7 @@ void BorderKinds::addCover(Index triangle) {
       cover.isOutside = signs_.orientation(edge_, kernel_.mesh().triangles[triangle][previous(k)]) < 0;
     }
   }
+  cover.extent = extentOf(cornersOf(triangle));
   cover.overStep = signs_.height(edge_, triangle, edge_.face, step_);
   cover.underHeight = signs_.height(edge_, triangle, edge_.face, height_);
   covers_.push_back(cover);

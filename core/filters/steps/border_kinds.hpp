@@ -6,10 +6,16 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/base/index_and_box.hpp"
 #include "core/filters/steps/edge_region.hpp"
 #include "core/filters/steps/edge_signs.hpp"
 
 namespace footfall::detail {
+
+/// The places along an edge between which a triangle lies, and the heights (scaled); roundings may make them smaller.
+struct EdgeExtent {
+  double first = 0, last = 0, lowest = 0, highest = 0;
+};
 
 /// A triangle of the environment, which is not vertical, near an edge of the border. BorderKinds::locate() finds where
 /// its signs change.
@@ -20,6 +26,7 @@ struct CoverAlong {
   bool isOutside = true;
   /// over the border raised by the step, and under the border raised by the height
   SignAlong overStep{}, underHeight{};
+  EdgeExtent extent{};
 
   /// Returns whether some of it is over the step, and some under the height.
   [[nodiscard]] bool mayBeWall() const {
@@ -72,16 +79,20 @@ class BorderKinds {
   [[nodiscard]] double heightOf(Index level) const;
   [[nodiscard]] Index stepLevel() const { return step_; }
   [[nodiscard]] Index heightLevel() const { return height_; }
-  /// Calls visit(triangle) for all triangles that may be in a box (scaled), including vertical ones.
+  /// Calls visit(triangle) for all triangles whose boxes overlap a box (scaled), including vertical ones. The tree may
+  /// find more, which depend on how it was built.
   template <class Visit>
   void visitNear(Box box, const Visit& visit) {
     widen(box);
     kernel_.mesh().tree.visitOverlapping(box, stack_, [&](Index t) {
-      if (removed_[t] == 0) visit(t);
+      if (removed_[t] == 0 && overlap(boxOf(kernel_.mesh(), t), box)) visit(t);
       return true;
     });
   }
   [[nodiscard]] std::array<Vec3, 3> cornersOf(Index triangle) const;
+  [[nodiscard]] EdgeExtent extentOf(const std::array<Vec3, 3>& corners) const;
+  /// Returns false only where a triangle is nowhere over another one, at any place over the edge.
+  [[nodiscard]] bool mayBeOver(const EdgeExtent& triangle, const EdgeExtent& other) const;
   /// Returns whether no corner is higher than the border raised by a level (`sign` 1), or lower (`sign` -1). The answer
   /// is exact on level floors; elsewhere it may be falsely negative.
   [[nodiscard]] bool isKnownBeside(Index triangle, Index level, int sign);

@@ -316,6 +316,33 @@ class TestLiveEdits : public QObject {
     }
   }
 
+  // The tree of a level that is turned follows its edges. That of an edit follows those of the level before, and so
+  // finds other triangles beside those that a query needs. Drops and ledges do not depend on it.
+  void turnedCratesOnALevelAlongTheAxes() {
+    QVERIFY(check("turned crates on a level along the axes", 4, [] {
+      const auto jitter = [] { return *below(2000) * 1e-10; };
+      const double x = 0.8572, y = 0.5150;  // about 31 degrees
+      const auto turned = [&](const Vec3& p) {
+        return Vec3{x * p.x - y * p.y + jitter(), y * p.x + x * p.y + jitter(), p.z + 0.0017 * p.x + jitter()};
+      };
+      Soup crates;
+      for (int i = 0; i < 24; ++i) {
+        const double left = *below(40) / 4.0, front = *below(40) / 4.0, width = 0.5 + *below(8) / 4.0;
+        const Soup crate = Soup().box({left, front, -0.5}, {left + width, front + 1, 0.25 + *below(8) / 4.0});
+        crates.add(crate.mapped(turned));
+      }
+      EditableEnvironment editable(Soup().floor(-10, -10, 20, 20, 0).environment());
+      const std::string pipeline =
+          "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.2\nRadiusFilter 0.1 0.05\nDropFilter 1.5 0.5\n";
+      ResultCache cache;
+      RC_ASSERT(agrees(editable.environment(), pipeline, cache));
+      const ObstacleId id = editable.add(soupFor(crates));
+      RC_ASSERT(agrees(editable.environment(), pipeline, cache));
+      editable.remove(id);
+      RC_ASSERT(agrees(editable.environment(), pipeline, cache));
+    }));
+  }
+
   // An obstacle that reaches farther than the level changes the scale of the grid: everything is computed again.
   void obstacleBeyondTheLevel() {
     const auto level = Soup().floor(0, 0, 4, 4, 0).environment();
