@@ -43,9 +43,11 @@ bool ClearanceCandidate::takesAll() const {
   return coplanar || (above && below);
 }
 
-bool ClearanceCandidate::coversFace() const {
-  return std::all_of(corners.begin(), corners.end(),
-                     [](const Signs& s) { return s[0] >= 0 && s[1] >= 0 && s[2] >= 0; });
+unsigned ClearanceCandidate::coveredCorners() const {
+  unsigned covered = 0;
+  for (unsigned j = 0; j < 3; ++j)
+    if (corners[0][j] >= 0 && corners[1][j] >= 0 && corners[2][j] >= 0) covered |= 1U << j;
+  return covered;
 }
 
 // A place that is a little way from corner 0 to corner 1, and much less towards corner 2.
@@ -69,7 +71,8 @@ ClearanceCandidates::ClearanceCandidates(const PlanKernel& kernel, std::function
       level_(level),
       height_(kernel.heights()[level - 1]),
       scaledHeight_(std::ldexp(height_, mesh_.grid.scaleExponent())),
-      poll_(poll) {
+      poll_(poll),
+      closedCover_(mesh_) {
   exactOrientations_ = kernel.hasExactOrientations();
   exactTree_ = mesh_.tree.isExactOn(mesh_.grid);
   chooseHeights();
@@ -84,6 +87,8 @@ void ClearanceCandidates::begin(Index face) {
   else
     crowding_.emplace(mesh_, face);
   isCoverSought_ = areKnownToCover_ = false;
+  coveredCorners_ = 0;
+  whole_ = wholeWhenLast_ = 0;
   overlapInPlane_ = false;
   mayLeaveOut_ = true;
   openSquares_.reset();
@@ -134,8 +139,8 @@ std::span<const ClearanceCandidate> ClearanceCandidates::findAmong(Index face, s
   mayLeaveOut_ = false;
   isCoverSought_ = true;
   for (const Index obstacle : obstacles)
-    if (!onlyTouches(obstacle)) consider(obstacle);
-  sort();
+    if (!areKnownToCover_ && !onlyTouches(obstacle)) consider(obstacle);
+  finish();
   return candidates_;
 }
 
@@ -152,8 +157,8 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
   mayLeaveOut_ = false;
   isCoverSought_ = true;  // Obstacles found twice must not count twice.
   for (const Index obstacle : known)
-    if (!onlyTouches(obstacle)) consider(obstacle);
-  if (knownHeight < height_) {
+    if (!areKnownToCover_ && !onlyTouches(obstacle)) consider(obstacle);
+  if (knownHeight < height_ && !areKnownToCover_) {
     Box box = box_;
     box.lower[2] = std::nextafter(floorZ_ + knownHeight, -std::numeric_limits<double>::infinity());
     search(box);
@@ -162,8 +167,9 @@ std::span<const ClearanceCandidate> ClearanceCandidates::find(Index face, const 
     };
     candidates_.erase(std::unique(candidates_.begin(), candidates_.end(), isSame), candidates_.end());
   } else {
-    sort();
+    finish();
   }
+  if (areKnownToCover_) return candidates_;
   crowding_->restart(face);
   for (const ClearanceCandidate& candidate : candidates_) crowding_->add(candidate.obstacle);
   areKnownToCover_ = crowding_->isCrowd() && proveCover();
@@ -200,11 +206,12 @@ void ClearanceCandidates::search(const Box& box, bool isPart) {
     };
     mesh_.tree.visitOver(std::array{mesh_.vertices[a], mesh_.vertices[b], mesh_.vertices[c]}, box, stack_, takeAny);
   }
-  sort();
+  finish();
 }
 
 // Points and lines are numbered as they come, so the order of the tree must not show.
-void ClearanceCandidates::sort() {
+void ClearanceCandidates::finish() {
+  findClosedCover();
   std::sort(candidates_.begin(), candidates_.end(),
             [](const ClearanceCandidate& x, const ClearanceCandidate& y) { return x.obstacle < y.obstacle; });
 }
@@ -224,6 +231,8 @@ void ClearanceCandidates::consider(Index obstacle) {
     if (!isFloor_(obstacle)) return;
   }
   candidates_.push_back(candidate);
+  findCover(candidate);
+  if (areKnownToCover_) return;
   crowding_->add(obstacle);
   if (openSquares_) closeSquares(candidate);
   if (!crowding_->isCrowd()) return;
@@ -232,6 +241,30 @@ void ClearanceCandidates::consider(Index obstacle) {
     areKnownToCover_ = proveCover();
   }
   if (mayLeaveOut_) findOpenSquares();
+}
+
+// More candidates never make a cover less of one, so it does not matter when it is looked for. Floors in the face's own
+// plane do not count: then the cover does not depend on floors.
+void ClearanceCandidates::findCover(const ClearanceCandidate& candidate) {
+  if (candidate.coplanar || mesh_.facing[candidate.obstacle] == 0 || !candidate.takesAll()) return;
+  const unsigned corners = candidate.coveredCorners();
+  coveredCorners_ |= corners;
+  ++whole_;
+  if (corners == ClearanceCandidate::kAllCorners)
+    setCovered();
+  else if (whole_ >= 4 * wholeWhenLast_)
+    findClosedCover();
+}
+
+void ClearanceCandidates::findClosedCover() {
+  if (areKnownToCover_ || coveredCorners_ != ClearanceCandidate::kAllCorners || whole_ == wholeWhenLast_) return;
+  wholeWhenLast_ = whole_;
+  if (closedCover_.covers(candidates_)) setCovered();
+}
+
+void ClearanceCandidates::setCovered() {
+  areKnownToCover_ = true;
+  dependsOnFloors_ = false;
 }
 
 // An obstacle that closes no open square is not needed: the same squares are open in the end with or without it, and

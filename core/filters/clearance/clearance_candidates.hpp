@@ -11,6 +11,8 @@
 
 #include "core/base/poll.hpp"
 #include "core/exact/plan_kernel.hpp"
+#include "core/filters/clearance/clearance_candidate.hpp"
+#include "core/filters/clearance/closed_cover.hpp"
 #include "core/filters/clearance/crowding.hpp"
 #include "core/filters/clearance/needle_fans.hpp"
 #include "core/filters/clearance/three_signs.hpp"
@@ -21,26 +23,6 @@ namespace footfall::detail {
 
 /// The box of a face and of the clearance above it.
 [[nodiscard]] Box clearanceBox(const SourceMesh& mesh, Index face, double height);
-
-/// A triangle that stands in the clearance above a face, and what was found out about it.
-struct ClearanceCandidate {
-  using Signs = std::array<std::int8_t, 3>;
-  Index obstacle = -1;
-  Signs floor{}, ceiling{};      ///< signs of each of the obstacle's corners: its height against the floor and the
-                                 ///< clearance
-  std::array<Signs, 3> sides{};  ///< [edge of the face][corner of the obstacle]: +1 inside
-  /// [edge of the obstacle, counter-clockwise in the plan][corner of the face]: +1 inside; not of walls. The edge k is
-  /// that between the corners k and k + 1.
-  std::array<Signs, 3> corners{};
-  bool coplanar = false;
-
-  /// The whole triangle takes from the floor what lies under it.
-  [[nodiscard]] bool takesAll() const;
-  /// True when all of the face lies under the obstacle, which is no wall.
-  [[nodiscard]] bool coversFace() const;
-  /// ... or what lies beside the start of the face's edge from corner 0 to 1.
-  [[nodiscard]] bool coversStart() const;
-};
 
 /// Searches above one face after another; one object for each thread.
 class ClearanceCandidates {
@@ -72,7 +54,9 @@ class ClearanceCandidates {
   /// search.
   [[nodiscard]] bool areCrowd() const { return crowding_->isCrowd(); }
   [[nodiscard]] const Crowding& crowding() const { return *crowding_; }
-  /// True when the candidates were proven to cover the whole face. Depends on them alone, not on the search.
+  /// True when the candidates were proven to cover the whole face, by one of them, by a closed cover (ClosedCover) or
+  /// by a grid. Depends on them alone, not on the search; but a search that has openSquares() may leave out what proves
+  /// it.
   [[nodiscard]] bool areKnownToCover() const { return areKnownToCover_; }
   /// The squares that no obstacle covers alone, for a crowd with floors in the face's own plane; else null. All
   /// obstacles that reach an open square were found, and some of the others. The squares depend on the environment
@@ -89,7 +73,8 @@ class ClearanceCandidates {
   bool isTwin();
   /// Considers what overlaps the box, which is that of the face or, where `isPart`, less of it in the plan.
   void search(const Box& box, bool isPart = false);
-  void sort();
+  /// Sorts what was found, and decides whether it is known to cover the face.
+  void finish();
   void consider(Index obstacle);
   /// False when nothing of the obstacle is strictly within the clearance, nor coplanar.
   bool findHeights(ClearanceCandidate& candidate);
@@ -131,6 +116,10 @@ class ClearanceCandidates {
   [[nodiscard]] bool isWallApart(Index wall);
   /// True when each square of a grid over the face lies under one obstacle that covers all of it.
   bool proveCover();
+  /// Looks whether a new candidate covers the face, and now and then whether all so far do.
+  void findCover(const ClearanceCandidate& candidate);
+  void findClosedCover();
+  void setCovered();
   /// Makes openSquares() of the candidates when that is due.
   void findOpenSquares();
   void closeSquares(const ClearanceCandidate& candidate);
@@ -170,7 +159,10 @@ class ClearanceCandidates {
   std::vector<ClearanceCandidate> candidates_;
   std::optional<Crowding> crowding_;
   bool isCoverSought_ = false, areKnownToCover_ = false;
-  bool overlapInPlane_ = false;  ///< some triangle in the face's plane comes before it and overlaps it
+  ClosedCover closedCover_;
+  unsigned coveredCorners_ = 0;                ///< the face's corners that lie under a candidate that takes all
+  std::size_t whole_ = 0, wholeWhenLast_ = 0;  ///< number of those, and what it was when closedCover_ was used
+  bool overlapInPlane_ = false;                ///< some triangle in the face's plane comes before it and overlaps it
   bool mayLeaveOut_ = true;
   std::optional<OpenGrid> openSquares_;
   std::vector<std::int32_t> stack_;

@@ -10,6 +10,7 @@
 
 #include "core/base/index_and_box.hpp"
 #include "core/base/poll.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/filters/clearance/crowding.hpp"
 
 namespace footfall::detail {
@@ -43,7 +44,8 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
     (keep > 0 ? box.lower : box.upper)[border.a] = coordinate;
   }
   FaceShare share;
-  share.removed = !clipAll(candidates_.findWithin(face, box));
+  const auto within = candidates_.findWithin(face, box);
+  share.removed = candidates_.areKnownToCover() || !clipAll(within);
   if (!share.removed) collect(share);
   share.edgeWalls = edgeWalls_;
   share.dependsOnFloors = candidates_.dependsOnFloors();
@@ -52,13 +54,28 @@ FaceShare ClearanceClipper::clipShare(Index face, std::span<const CellSide> side
   return share;
 }
 
+std::vector<Index> candidatesOf(std::span<const FaceShare> shares) {
+  std::vector<Index> found;
+  for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
+  sortOnce(found);
+  return found;
+}
+
 FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> shares) {
   begin(face);
   FaceCuts cuts;
+  int startWinding = 0;
   for (const FaceShare& share : shares) {
+    startWinding += share.startWinding;
     cuts.removed = cuts.removed || share.removed;
     cuts.dependsOnFloors = cuts.dependsOnFloors || share.dependsOnFloors;
     edgeWalls_ |= share.edgeWalls;
+  }
+  // As clip() does, which finds all of them together.
+  if (!cuts.removed && startWinding != 0) {
+    candidates_.findAmong(face, candidatesOf(shares));
+    cuts.removed = candidates_.areKnownToCover();
+    if (cuts.removed) cuts.dependsOnFloors = candidates_.dependsOnFloors();
   }
   if (cuts.removed) return cuts;
   std::vector<FaceShare::Piece> pieces;

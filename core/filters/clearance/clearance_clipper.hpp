@@ -34,6 +34,9 @@ struct UpdatedCuts {
   std::vector<Index> standing;  ///< ascending
 };
 
+/// The obstacles that all shares of a face found, ascending.
+[[nodiscard]] std::vector<Index> candidatesOf(std::span<const FaceShare> shares);
+
 /// Clips one face after another; one object for each thread.
 class ClearanceClipper : private FaceCutter {
  public:

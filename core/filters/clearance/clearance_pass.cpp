@@ -5,7 +5,6 @@
 
 #include "core/assembly/dropped_parts.hpp"
 #include "core/assembly/mesh_assembly.hpp"
-#include "core/base/sorted_list.hpp"
 #include "core/environment/coordinate_grid.hpp"
 #include "core/filters/clearance/crowding.hpp"
 #include "core/filters/height_levels.hpp"
@@ -155,10 +154,7 @@ void ClearancePass::joinShares(Index face, std::span<const FaceShare> shares, Wo
   if (const FaceCuts cuts = own.clipper_.joinShares(face, shares); !cuts.empty())
     cuts_->set(face, keptIn(own.copies_, cuts));
   if (!memory_) return;
-  std::vector<Index> found;
-  for (const FaceShare& share : shares) found.insert(found.end(), share.candidates.begin(), share.candidates.end());
-  sortOnce(found);
-  keepCandidates(face, std::move(found));
+  keepCandidates(face, candidatesOf(shares));
 }
 
 std::size_t ClearancePass::mesh(Index face, Worker& own) {

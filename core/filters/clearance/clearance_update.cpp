@@ -193,7 +193,7 @@ std::optional<UpdatedCuts> ClearanceClipper::update(Index face, const EarlierCut
   begin(face);
   const auto near = candidates_.findAmong(face, standingNear(earlier, places.around()));
   std::optional<LargeFace> memory = depthsNow(earlier);
-  if (!memory || candidates_.dependsOnFloors()) return std::nullopt;
+  if (!memory || candidates_.dependsOnFloors() || candidates_.areKnownToCover()) return std::nullopt;
   startGeometry();
   if (!clipAll(near)) return std::nullopt;
 
@@ -220,6 +220,9 @@ std::optional<UpdatedCuts> ClearanceClipper::update(Index face, const EarlierCut
   result.standing.erase(std::set_union(earlier.standing.begin(), earlier.standing.end(), found.begin(), found.end(),
                                        result.standing.begin()),
                         result.standing.end());
+  if (result.cuts.startWinding == 0) return result;
+  candidates_.findAmong(face, result.standing);
+  if (candidates_.areKnownToCover()) return std::nullopt;
   return result;
 }
 
