@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,6 +9,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/number_text.hpp"
 #include "core/io/export.hpp"
+#include "core/navigation/bottleneck_list.hpp"
 #include "footfall/corridor_map.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/up_axis.hpp"
@@ -22,16 +22,13 @@ struct CorridorsOptions {
   EnvironmentOptions environment;
   PipelineOptions pipeline;
   std::optional<double> narrowerThan;          ///< in the file's units
-  std::optional<double> widerThan;             ///< in the file's units; empty: kNarrowest
+  std::optional<double> widerThan;             ///< in the file's units; empty: kNarrowestPassage
   double prominence = 100 * kUsualProminence;  ///< in percent
   CorridorOptions map;
   std::string output;  ///< empty: no file
   int threads = 0;
   bool quiet = false;
 };
-
-/// Metres: narrower slits between modelled things are no passages for anybody, and levels have hundreds of them.
-constexpr double kNarrowest = 0.1;
 
 bool isGeoJson(const std::string& path) { return path.ends_with(".geojson"); }
 bool isGlb(const std::string& path) { return path.ends_with(".glb"); }
@@ -98,27 +95,17 @@ void findCorridors(const CorridorsOptions& options) {
   const CorridorMap map = makeCorridorMap(*run.mesh, options.map, &session.context());
   if (!options.output.empty()) writeFileSafely(options.output, contentFor(options.output, map));
   session.end();
-  const double most = options.narrowerThan.value_or(std::numeric_limits<double>::infinity());
-  const double least = options.widerThan.value_or(kNarrowest / environment->metresPerUnit);
+  BottleneckRule rule = usualBottlenecks(environment->metresPerUnit);
+  rule.widerThan = options.widerThan.value_or(rule.widerThan);
+  rule.narrowerThan = options.narrowerThan.value_or(rule.narrowerThan);
+  rule.leastProminence = options.prominence / 100;
+  const BottleneckList list = listBottlenecks(map, rule);
   std::string lines;
-  std::size_t count = 0, slits = 0, shallow = 0;
-  for (const Bottleneck& b : map.bottlenecks) {
-    if (b.width >= most) break;
-    if (b.width <= least) {
-      ++slits;
-      continue;
-    }
-    if (100 * prominence(map, b) < options.prominence) {
-      ++shallow;
-      continue;
-    }
-    lines += lineOf(b, map);
-    ++count;
-  }
+  for (const std::size_t i : list.listed) lines += lineOf(map.bottlenecks[i], map);
   print("corridor map of " + counted(map.vertices.size(), "vertex", "vertices") + " and " +
-        counted(map.edges.size(), "edge", "edges") + "; " + counted(count, "bottleneck", "bottlenecks") +
+        counted(map.edges.size(), "edge", "edges") + "; " + counted(list.listed.size(), "bottleneck", "bottlenecks") +
         (options.narrowerThan ? " narrower than " + shownNumber(*options.narrowerThan) : "") +
-        leftOut(slits, shownNumber(least), shallow, shownNumber(options.prominence)) + '\n' + lines);
+        leftOut(list.slits, shownNumber(rule.widerThan), list.shallow, shownNumber(options.prominence)) + '\n' + lines);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "core/base/counted_text.hpp"
 #include "core/io/formats/save.hpp"
 #include "core/mesh/storey_names.hpp"
+#include "core/navigation/bottleneck_list.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
@@ -201,8 +202,14 @@ class TitleBlock {
 
 std::optional<PlanCorridors> corridorsOf(const NavigationMesh& mesh, const PlanOptions& options, double metresPerUnit) {
   if (!options.narrowerThan && !options.hasCorridors) return std::nullopt;
-  return PlanCorridors{makeCorridorMap(mesh), options.hasCorridors,
-                       options.widerThan.value_or(kNarrowestPassage / metresPerUnit), options.narrowerThan.value_or(0)};
+  PlanCorridors corridors{makeCorridorMap(mesh), options.hasCorridors, {}};
+  if (options.narrowerThan) {
+    BottleneckRule rule = usualBottlenecks(metresPerUnit);
+    rule.widerThan = options.widerThan.value_or(rule.widerThan);
+    rule.narrowerThan = *options.narrowerThan;
+    corridors.narrow = listBottlenecks(corridors.map, rule).listed;
+  }
+  return corridors;
 }
 
 /// "heights 0 m to 3.2 m, walkable 412 m²"

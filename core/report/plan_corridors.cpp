@@ -47,11 +47,10 @@ PlanCorridorContents drawCorridors(const PlanCorridors& corridors, const Navigat
   }
   contents.lines = !lines.lines.empty();
   if (contents.lines) drawing.emplace_back(std::move(lines));
-  for (const Bottleneck& b : map.bottlenecks) {
-    if (b.width >= corridors.narrowerThan) break;  // the narrowest come first
+  for (const std::size_t i : corridors.narrow) {
+    const Bottleneck& b = map.bottlenecks[i];
     const CorridorEdge& edge = map.edges[b.edge];
-    if (b.width <= corridors.widerThan || edge.triangles.empty() || isHere[triangleUnder(mesh, edge, b.place)] == 0)
-      continue;
+    if (edge.triangles.empty() || isHere[triangleUnder(mesh, edge, b.place)] == 0) continue;
     contents.bottlenecks = true;
     const SheetPoint left = layout.at(b.left.x, b.left.y), right = layout.at(b.right.x, b.right.y);
     addDimension(drawing, left, right, dimensionColour);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/report/plan_layout.hpp"
@@ -10,13 +11,10 @@
 
 namespace footfall::detail {
 
-/// Metres: narrower slits between modelled things are passages for nobody.
-inline constexpr double kNarrowestPassage = 0.1;
-
 struct PlanCorridors {
   CorridorMap map;
-  bool hasLines = false;                   ///< the map is drawn
-  double widerThan = 0, narrowerThan = 0;  ///< bottlenecks between both are drawn, in the environment's units
+  bool hasLines = false;            ///< the map is drawn
+  std::vector<std::size_t> narrow;  ///< bottlenecks of the map that are drawn
 };
 
 /// The parts of the map that a page shows.

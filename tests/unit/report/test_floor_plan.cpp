@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QXmlStreamReader>
+#include <algorithm>
 #include <cmath>
 
 #include "core/environment/part_rules.hpp"
@@ -13,6 +14,7 @@
 #include "core/report/plan_pages.hpp"
 #include "core/report/plan_stairs.hpp"
 #include "core/report/plan_walls.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/run.hpp"
 #include "tests/support/soup.hpp"
@@ -340,6 +342,21 @@ class TestFloorPlan : public QObject {
     QVERIFY(says(both, "2.00 m") && says(both, "middle of passages"));
     options.widerThan = 1.2;
     QCOMPARE(countOf(level.draw(options)[0], "1.00 m"), 0);
+  }
+
+  void bendsOfOnePassageAreOneBottleneck() {
+    // Halfway, the passage has a niche on either side, in which it is 2 % wider.
+    const Level level(Soup()
+                          .floor(0, 0, 4, 6, 0)
+                          .floor(4, 0.5, 4.9, 1.5, 0)
+                          .floor(4.9, 0.49, 5.1, 1.51, 0)
+                          .floor(5.1, 0.5, 6, 1.5, 0)
+                          .floor(6, 0, 10, 6, 0));
+    QCOMPARE(makeCorridorMap(*level.mesh).bottlenecks.size(), std::size_t{2});
+    PlanOptions options;
+    options.narrowerThan = 1.5;
+    const auto words = wordsOf(level.draw(options)[0]);
+    QCOMPARE(std::count(words.begin(), words.end(), "1.00 m"), 1);
   }
 
   void nothingWalkable() { QVERIFY_EXCEPTION_THROWN(Level(Soup().wall(0, 0, 1, 0, 0, 1)).draw(), InputError); }
