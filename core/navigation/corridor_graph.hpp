@@ -29,6 +29,9 @@ struct CorridorGraph {
 /// `isFull`: pieces that lead into convex corners stay.
 CorridorGraph makeCorridorGraph(const ClearanceField& field, const CorridorAxis& axis, bool isFull, Poll poll = {});
 
+/// makeCorridorMap() with a poll instead of a context.
+CorridorMap makePolledCorridorMap(const NavigationMesh& mesh, bool isFull, Poll poll);
+
 /// Finds Bottleneck after Bottleneck of a map that has all else. `hidden`: areas that belong to its vertices.
 std::vector<Bottleneck> findBottlenecks(const CorridorMap& map, const std::vector<double>& hidden, Poll poll = {});
 

@@ -92,9 +92,12 @@ std::vector<std::vector<std::uint32_t>> edgesAt(const CorridorMap& map) {
 
 }  // namespace
 
+CorridorMap detail::makePolledCorridorMap(const NavigationMesh& mesh, bool isFull, Poll poll) {
+  return MapMaker(mesh, poll).make(isFull, poll);
+}
+
 CorridorMap makeCorridorMap(const NavigationMesh& mesh, const CorridorOptions& options, const RunContext* context) {
-  const Poll poll(context);
-  return MapMaker(mesh, poll).make(options.full, poll);
+  return makePolledCorridorMap(mesh, options.full, Poll(context));
 }
 
 CorridorPath shortestCorridor(const CorridorMap& map, std::uint32_t from, std::uint32_t to, double width) {

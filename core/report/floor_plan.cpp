@@ -12,6 +12,7 @@
 #include "core/io/formats/save.hpp"
 #include "core/mesh/storey_names.hpp"
 #include "core/navigation/bottleneck_list.hpp"
+#include "core/navigation/corridor_graph.hpp"
 #include "core/report/plan_drawing.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/filter.hpp"
@@ -200,9 +201,10 @@ class TitleBlock {
   double left_, right_, bottom_;
 };
 
-std::optional<PlanCorridors> corridorsOf(const NavigationMesh& mesh, const PlanOptions& options, double metresPerUnit) {
+std::optional<PlanCorridors> corridorsOf(const NavigationMesh& mesh, const PlanOptions& options, double metresPerUnit,
+                                         Poll poll) {
   if (!options.narrowerThan && !options.hasCorridors) return std::nullopt;
-  PlanCorridors corridors{makeCorridorMap(mesh), options.hasCorridors, {}};
+  PlanCorridors corridors{makePolledCorridorMap(mesh, false, poll), options.hasCorridors, {}};
   if (options.narrowerThan) {
     BottleneckRule rule = usualBottlenecks(metresPerUnit);
     rule.widerThan = options.widerThan.value_or(rule.widerThan);
@@ -243,7 +245,7 @@ std::vector<Sheet> drawFloorPlan(const Environment& environment, const Pipeline&
   const NumberedParts parts = numberParts(mesh, poll);
   const std::vector<PlanFlight> flights = findFlights(mesh, kLongestTread / metres, poll);
   const std::vector<PlanDoor> doors = findDoors(environment, poll);
-  const std::optional<PlanCorridors> corridors = corridorsOf(mesh, options, metres);
+  const std::optional<PlanCorridors> corridors = corridorsOf(mesh, options, metres, poll);
   poll();
   const PlanSubject subject{environment,
                             mesh,

@@ -4,6 +4,7 @@
 #include <QTest>
 #include <QXmlStreamReader>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/environment/part_rules.hpp"
@@ -357,6 +358,19 @@ class TestFloorPlan : public QObject {
     options.narrowerThan = 1.5;
     const auto words = wordsOf(level.draw(options)[0]);
     QCOMPARE(std::count(words.begin(), words.end(), "1.00 m"), 1);
+  }
+
+  void corridorsCanBeCancelled() {
+    const Level level(room());
+    const auto pollsOf = [&level](const PlanOptions& options) {
+      std::atomic<int> count = 0;
+      drawFloorPlan(*level.environment, level.pipeline, *level.mesh, options, [&count] { ++count; });
+      return count.load();
+    };
+    PlanOptions options;
+    const int without = pollsOf(options);
+    options.hasCorridors = true;
+    QVERIFY(pollsOf(options) > without);
   }
 
   void nothingWalkable() { QVERIFY_EXCEPTION_THROWN(Level(Soup().wall(0, 0, 1, 0, 0, 1)).draw(), InputError); }
