@@ -15,9 +15,11 @@
 #include "core/base/process_usage.hpp"
 #include "core/inspect/parameter_check.hpp"
 #include "core/io/export.hpp"
+#include "core/report/bottleneck_statistics.hpp"
 #include "core/report/html_report.hpp"
 #include "core/report/run_trace.hpp"
 #include "core/report/speed_up.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
@@ -35,7 +37,8 @@ struct RunOptions {
   std::uint64_t memory = 0;  ///< bytes that may be held at once; 0: as many as it takes
   std::string slice;         ///< "K/N", or empty
   std::string statistics, trace, report;
-  std::string agents;  ///< names or a file; empty: the pipeline's agent
+  std::string agents;        ///< names or a file; empty: the pipeline's agent
+  bool bottlenecks = false;  ///< in statistics and report
   bool speedUp = false;
   bool quiet = false;
 };
@@ -47,6 +50,8 @@ WriteTargets checkTargets(const RunOptions& options) {
   checkEnding(options.statistics, "--stats", ".json");
   checkEnding(options.trace, "--trace", ".json");
   checkEnding(options.report, "--report", ".html");
+  if (options.bottlenecks && options.statistics.empty() && options.report.empty())
+    throw InputError("--bottlenecks: are written into the report and the statistics; give --report or --stats too");
   WriteTargets targets = targetsBeside(options.environment, options.pipeline);
   targets.add(options.exported.output, FOOTFALL_TEXT("the export"));
   targets.add(options.statistics, FOOTFALL_TEXT("the statistics"));
@@ -64,6 +69,15 @@ void printNotes(const Environment& environment, const Pipeline& pipeline, Comman
     const std::string step = note.step ? formatStep(pipeline.steps[*note.step]) + ": " : std::string("--scale: ");
     std::cerr << "footfall: note: " << step << note.text.str() << '\n';
   }
+}
+
+/// Empty unless bottlenecks are asked for.
+std::optional<CorridorMap> corridorsOf(const RunOptions& options, const NavigationMesh& mesh, CommandSession& session) {
+  if (!options.bottlenecks) return std::nullopt;
+  session.begin("making the corridor map");
+  std::optional<CorridorMap> map = makeCorridorMap(mesh, {}, &session.context());
+  session.end();
+  return map;
 }
 
 /// Returns the summary for stdout, empty when quiet.
@@ -97,14 +111,19 @@ std::string runAndExport(const RunOptions& options, CommandSession& session, Run
     session.begin("measuring the speed-up");
     times.speedUp = measureSpeedUp(environment, *pipeline, context, options.threads);
   }
+  const std::optional<CorridorMap> corridors = corridorsOf(options, *result.mesh, session);
   const auto write = [&context](const std::string& path, const auto& format) {
     if (path.empty()) return;
     context.checkCancelled();
     writeFileSafely(path, format(), context);
   };
-  write(options.statistics, [&] { return program.statistics(formatStatistics(*environment, result, times)); });
+  write(options.statistics, [&] {
+    const std::string statistics = program.statistics(formatStatistics(*environment, result, times));
+    return corridors ? addBottlenecks(statistics, *corridors) : statistics;
+  });
   write(options.report, [&] {
-    return formatHtmlReport(*environment, *pipeline, result, times, {reportDate(), {}, {}});
+    return formatHtmlReport(*environment, *pipeline, result, times,
+                            {reportDate(), {}, {}, corridors ? &*corridors : nullptr});
   });
   write(options.trace, [&] { return program.trace(formatTrace(result)); });
   session.end();
@@ -146,7 +165,7 @@ void addAgents(CLI::App& command, RunOptions& options) {
               "they have in common is computed once; --stats says what each added")
           ->check(hasName())
           ->type_name("FILE|NAME,...");
-  for (const char* name : {"--pipeline", "--filter", "--trace", "--report", "--speed-up", "--memory"})
+  for (const char* name : {"--pipeline", "--filter", "--trace", "--report", "--bottlenecks", "--speed-up", "--memory"})
     agents->excludes(command.get_option(name));
 }
 
@@ -168,7 +187,8 @@ CLI::Option* addMemory(CLI::App& command, RunOptions& options) {
       ->needs(memory)
       ->type_name("K/N");
   for (const std::string& name : ExportCommandOptions::names()) memory->excludes(command.get_option(name));
-  for (const char* name : {"--trace", "--report", "--speed-up"}) memory->excludes(command.get_option(name));
+  for (const char* name : {"--trace", "--report", "--bottlenecks", "--speed-up"})
+    memory->excludes(command.get_option(name));
   return memory;
 }
 
@@ -194,6 +214,9 @@ void addRunCommand(CLI::App& app, RunProgram& program) {
   command.add_option("--report", options->report, "Write figures and times as one HTML file")
       ->check(hasName())
       ->type_name("FILE.html");
+  command.add_flag("--bottlenecks", options->bottlenecks,
+                   "Write the narrowest passages into the report and the statistics; the corridor map, which `footfall "
+                   "corridors` writes, takes a while on large levels");
   command.add_flag("--speed-up", options->speedUp,
                    "Also run everything three more times, and three times on one thread without parallel blocks, and "
                    "report the speed-up");

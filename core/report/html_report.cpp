@@ -21,8 +21,10 @@
 #include "core/io/base64.hpp"
 #include "core/mesh/gap_bridges.hpp"
 #include "core/mesh/surface_topology.hpp"
+#include "core/navigation/bottleneck_list.hpp"
 #include "core/report/layers_text.hpp"
 #include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 #include "footfall/report.hpp"
 #include "footfall/up_axis.hpp"
 #include "footfall/version.hpp"
@@ -30,7 +32,7 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kMostRows = 20;  // limit of lists that can have thousands
+constexpr std::size_t kMostRows = 20, kMostBottlenecks = 50;  // limits of lists that can have thousands
 
 // Blue for bars: Okabe and Ito's, darker or lighter as the background needs it.
 constexpr const char* kStyle = R"(
@@ -254,6 +256,48 @@ std::string resultSection(const RunResult& result, const AreaText& areaText) {
   return html + "</section>\n";
 }
 
+/// What is on either side of a bottleneck.
+std::string sidesText(const CorridorMap& map, const Bottleneck& b, const AreaText& areaText) {
+  if (b.isOnlyWay) return "areas of " + areaText(b.sides[0].area) + " and " + areaText(b.sides[1].area);
+  const auto widest = [&](std::size_t side) { return shortNumber(map.vertices[b.sides.at(side).widest].width); };
+  return "widths of up to " + widest(0) + " and " + widest(1);
+}
+
+/// How many bottlenecks the table leaves out, and why; empty where it leaves out none.
+std::string leftOutText(const BottleneckList& list, const BottleneckRule& rule) {
+  std::string text;
+  const auto add = [&text](std::size_t count, const std::string& why) {
+    if (count > 0) text += (text.empty() ? "" : "; ") + grouped(count) + why;
+  };
+  add(list.listed.size() - std::min(list.listed.size(), kMostBottlenecks), " that are wider");
+  add(list.slits, ", at most " + shortNumber(rule.widerThan) + " wide");
+  add(list.shallow, ", behind which the way gets wider by less than " + shortNumber(100 * rule.leastProminence) + " %");
+  return text.empty() ? text : "<p class=\"quiet\">Left out: " + escapeHtml(text) + ".</p>\n";
+}
+
+std::string bottlenecksSection(const CorridorMap& map, const Environment& environment, const Pipeline& pipeline,
+                               const AreaText& areaText) {
+  const BottleneckRule rule = usualBottlenecks(environment.metresPerUnit);
+  const BottleneckList list = listBottlenecks(map, rule);
+  std::vector<std::string> titles{"Place", "Between", "The only way", "Width"};
+  if (areaText.isKnown()) titles.emplace_back("In metres");
+  Table table(titles, 3);
+  for (std::size_t i = 0; i < std::min(list.listed.size(), kMostBottlenecks); ++i) {
+    const Bottleneck& b = map.bottlenecks[list.listed[i]];
+    const Vec3 place = inFileFrame(b.place, map.frame.up);
+    std::vector<std::string> cells{shortNumber(place.x) + ' ' + shortNumber(place.y) + ' ' + shortNumber(place.z),
+                                   sidesText(map, b, areaText), b.isOnlyWay ? "yes" : "no", shortNumber(b.width)};
+    if (areaText.isKnown()) cells.push_back(shortNumber(b.width * environment.metresPerUnit) + " m");
+    table.row(cells);
+  }
+  const bool hasRadius = std::ranges::any_of(
+      pipeline.steps, [](const PipelineStep& step) { return step.enabled && step.filter->type == FilterType::Radius; });
+  return "<section>\n<h2>Bottlenecks</h2>\n<p>" + counted(list.listed.size(), "bottleneck", "bottlenecks") +
+         ", the narrowest first. Widths and places are in the units of the file." +
+         (hasRadius ? " A RadiusFilter has made every passage narrower." : "") + "</p>\n" +
+         (list.listed.empty() ? std::string() : table.finish()) + leftOutText(list, rule) + "</section>\n";
+}
+
 std::string blockSection(const BlockReport& block, int threads) {
   std::string html = "<section>\n<h2>Cells and threads</h2>\n<p>" +
                      escapeHtml(block.strategy + ": " + counted(block.cells.size(), "cell", "cells") +
@@ -341,6 +385,7 @@ std::string formatHtmlReport(const Environment& environment, const Pipeline& pip
                           : ". Lengths and areas are in the units of the file, whose scale is a guess.</p>\n");
   html += environmentSection(environment, pipeline, times);
   html += resultSection(result, areaText);
+  if (details.corridors != nullptr) html += bottlenecksSection(*details.corridors, environment, pipeline, areaText);
   html += stepsSection(result, areaText);
   for (const BlockReport& block : result.blocks) html += blockSection(block, result.threads);
   html += picturesSection(details);

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/pipeline/runner.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
@@ -22,7 +23,8 @@ struct ReportPicture {
 struct ReportDetails {
   std::string date;  ///< date of the report, for people; empty: none
   std::span<const ReportPicture> pictures;
-  std::span<const ReportPicture> legend;  ///< a small picture of each colour, and as its caption what it means
+  std::span<const ReportPicture> legend;   ///< a small picture of each colour, and as its caption what it means
+  const CorridorMap* corridors = nullptr;  ///< of the result; null: the report has no bottlenecks
 };
 
 /// The present time in UTC, "2026-11-22 10:15 UTC", or the one that SOURCE_DATE_EPOCH states
@@ -30,10 +32,10 @@ struct ReportDetails {
 std::string reportDate();
 
 /// HTML5 that is also well-formed XML: date, environment with what import left out, agent and pipeline, time of each
-/// step with bars, counts, layers and connected parts with their areas, the cells and threads of parallel blocks where
-/// there were any, and the pictures with their legend. Everything is inside: no file, font or script from elsewhere,
-/// and no script at all. Light or dark, as the reader's system is. Names of files and pipelines are text, whatever they
-/// hold. Nothing but the input decides the bytes.
+/// step with bars, counts, layers and connected parts with their areas, the narrowest bottlenecks of a corridor map,
+/// the cells and threads of parallel blocks where there were any, and the pictures with their legend. Everything is
+/// inside: no file, font or script from elsewhere, and no script at all. Light or dark, as the reader's system is.
+/// Names of files and pipelines are text, whatever they hold. Nothing but the input decides the bytes.
 std::string formatHtmlReport(const Environment& environment, const Pipeline& pipeline, const RunResult& result,
                              const ProgramTimes& times, const ReportDetails& details = {});
 

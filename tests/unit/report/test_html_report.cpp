@@ -43,14 +43,18 @@ struct Ran {
   RunResult result;
 };
 
-Ran run(const char* pipeline) {
+Ran run(const Soup& soup, const char* pipeline) {
   Ran ran;
-  ran.environment = Soup().floor(0, 0, 4, 4, 0).floor(8, 0, 10, 4, 0).floor(0, 0, 4, 4, 3).environment();
+  ran.environment = soup.environment();
   ran.environment->source = "/a/b/<level> & \"more\".obj";
   ran.pipeline = parsePipeline(pipeline, "test");
   RunContext context;
   ran.result = runPipeline(ran.environment, ran.pipeline, context, nullptr, 2);
   return ran;
+}
+
+Ran run(const char* pipeline) {
+  return run(Soup().floor(0, 0, 4, 4, 0).floor(8, 0, 10, 4, 0).floor(0, 0, 4, 4, 3), pipeline);
 }
 
 }  // namespace
@@ -109,6 +113,53 @@ class TestHtmlReport : public QObject {
     const std::string undated =
         formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {"", pictures, legend});
     QVERIFY(undated.find(" on 20") == std::string::npos && undated.size() < html.size());
+  }
+
+  void bottlenecksAreATable() {
+    // Two rooms with a passage of 1 between them, and two with one of 0.08.
+    Ran ran = run(Soup()
+                      .floor(0, 0, 4, 4, 0)
+                      .floor(4, 1.5, 6, 2.5, 0)
+                      .floor(6, 0, 10, 4, 0)
+                      .floor(20, 0, 24, 4, 0)
+                      .floor(24, 1.5, 26, 1.58, 0)
+                      .floor(26, 0, 30, 4, 0),
+                  "SlopeFilter 45\n");
+    const CorridorMap map = makeCorridorMap(*ran.result.mesh);
+    const auto html = [&](const CorridorMap* corridors) {
+      return formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {{}, {}, {}, corridors});
+    };
+    QVERIFY(html(nullptr).find("Bottlenecks") == std::string::npos);
+    QCOMPARE(findError(html(&map)), QString());
+    ran.environment->scaleGuessed = true;
+    const auto holds = [&](const char* text) { return html(&map).find(text) != std::string::npos; };
+    QVERIFY(holds("<h2>Bottlenecks</h2>\n<p>1 bottleneck, the narrowest first."));
+    QVERIFY(holds("<tr><td>5 2 0</td><td>areas of 17 and 17</td><td>yes</td><td class=\"number\">1</td></tr>"));
+    QVERIFY(holds("<p class=\"quiet\">Left out: 1, at most 0.1 wide.</p>"));
+    QVERIFY(!holds("RadiusFilter"));
+    ran.environment->metresPerUnit = 2;
+    ran.environment->scaleGuessed = false;
+    QVERIFY(holds("<p>2 bottlenecks"));
+    QVERIFY(
+        holds("<td>areas of 68 m\u00b2 and 68 m\u00b2</td><td>yes</td><td class=\"number\">1</td>"
+              "<td class=\"number\">2 m</td></tr>"));
+    ran.pipeline = parsePipeline("SlopeFilter 45\nRadiusFilter 0.3\n", "test");
+    QVERIFY(holds("A RadiusFilter has made every passage narrower."));
+    QCOMPARE(findError(html(&map)), QString());
+  }
+
+  void thereAreFiftyBottlenecksAtMost() {
+    const Ran ran = run("SlopeFilter 45\n");
+    CorridorMap map;
+    map.vertices.push_back({{}, 100, 0});
+    map.bottlenecks.resize(1053);
+    for (std::size_t i = 0; i < map.bottlenecks.size(); ++i) map.bottlenecks[i].width = 1 + static_cast<double>(i) / 64;
+    const std::string html = formatHtmlReport(*ran.environment, ran.pipeline, ran.result, {}, {{}, {}, {}, &map});
+    QVERIFY(html.find("<p>1,053 bottlenecks") != std::string::npos);
+    QVERIFY(html.find(">widths of up to 100 and 100</td><td>no</td><td class=\"number\">1.76562<") !=
+            std::string::npos);
+    QVERIFY(html.find(">1.78125<") == std::string::npos);
+    QVERIFY(html.find("Left out: 1,003 that are wider.") != std::string::npos);
   }
 
   void tellsWhatWasSkipped() {
@@ -171,6 +222,19 @@ class TestHtmlReport : public QObject {
     const auto run = [&](const QString& target) { return runProgram({"run", in, "--quiet", "--report", target}); };
     QCOMPARE(run(QString::fromStdString(out)).exitCode, 0);
     QCOMPARE(findError(readAll(out).toStdString()), QString());
+    QVERIFY(!readAll(out).contains("Bottlenecks"));
+    const QString house = FOOTFALL_SOURCE_DIR "/samples/house/house.obj";
+    const Outcome noReport = runProgram({"run", house, "--quiet", "--bottlenecks"});
+    QCOMPARE(noReport.exitCode, 2);
+    QVERIFY2(noReport.err.contains("give --report or --stats"), noReport.err.constData());
+    const QString statistics = QString::fromStdString(folder.path("stats.json"));
+    QCOMPARE(runProgram({"run", house, "--quiet", "--bottlenecks", "--stats", statistics, "--report",
+                         QString::fromStdString(out)})
+                 .exitCode,
+             0);
+    QVERIFY(readAll(out).contains("<h2>Bottlenecks</h2>"));
+    QCOMPARE(findError(readAll(out).toStdString()), QString());
+    QVERIFY(readAll(statistics.toStdString()).contains("\"bottlenecks\""));
     const Outcome full = run("/dev/full");
     QCOMPARE(full.exitCode, 1);
     QVERIFY2(full.err.contains("the disk is full"), full.err.constData());

@@ -6,13 +6,17 @@
 #include <set>
 #include <string>
 
+#include "core/report/bottleneck_statistics.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/io.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/report.hpp"
 #include "footfall/run.hpp"
+#include "footfall/up_axis.hpp"
 #include "tests/support/soup.hpp"
 
 using namespace footfall;
+using footfall::detail::addBottlenecks;
 using footfall::test::Soup;
 using Json = nlohmann::json;
 
@@ -112,6 +116,34 @@ class TestStatisticsSchema : public QObject {
                      {1, 1, 1, SpeedUp{2, 1}});
     QVERIFY(json.at("blocks").size() == 1 && json.at("drops") > 0 && json.at("speed_up").is_object());
     QVERIFY2(complaint(json, schema(), "").empty(), complaint(json, schema(), "").c_str());
+  }
+
+  void bottlenecks() {
+    // Two rooms with a passage of 1 between them, and two with one of 0.08.
+    const auto soup = Soup()
+                          .floor(0, 0, 4, 4, 0)
+                          .floor(4, 1.5, 6, 2.5, 0)
+                          .floor(6, 0, 10, 4, 0)
+                          .floor(20, 0, 24, 4, 0)
+                          .floor(24, 1.5, 26, 1.58, 0)
+                          .floor(26, 0, 30, 4, 0)
+                          .environment();
+    soup->up = UpAxis::Y;
+    RunContext context;
+    const RunResult result = runPipeline(soup, parsePipeline("SlopeFilter 45\n", "test"), context);
+    const std::string without = formatStatistics(*soup, result);
+    const Json json = Json::parse(addBottlenecks(without, makeCorridorMap(*result.mesh)));
+    QVERIFY2(complaint(json, schema(), "").empty(), complaint(json, schema(), "").c_str());
+    const Json& bottlenecks = json.at("bottlenecks");
+    QVERIFY(bottlenecks.at("count") == 2 && bottlenecks.at("slits") == 1 && bottlenecks.at("shallow") == 0);
+    QCOMPARE(bottlenecks.at("listed").size(), std::size_t{1});
+    const Json& door = bottlenecks.at("listed")[0];
+    QVERIFY(door.at("width") == 1 && door.at("only_way") == true && door.at("place") == Json({5, 0, -2}));
+    QVERIFY2(std::abs(door.at("sides")[0].at("area").get<double>() - 17) < 1e-9, door.dump().c_str());
+    // Nothing else changes.
+    Json rest = json;
+    rest.erase("bottlenecks");
+    QVERIFY(rest == Json::parse(without));
   }
 
   void emptyResult() {
