@@ -31,11 +31,8 @@ void BottleneckModel::list() {
   rows_.clear();
   if (!shown_) return;
   const CorridorMap& map = shown_->map;
-  for (std::size_t i = shown_->slits; i < map.bottlenecks.size(); ++i) {
-    const Bottleneck& bottleneck = map.bottlenecks[i];
-    if (prominence(map, bottleneck) < kUsualProminence || (onlyWays_ && !bottleneck.isOnlyWay)) continue;
-    rows_.push_back(i);
-  }
+  for (const std::size_t i : shown_->list.listed)
+    if (!onlyWays_ || map.bottlenecks[i].isOnlyWay) rows_.push_back(i);
 }
 
 void BottleneckModel::setUnits(const LevelUnits& units) {

@@ -12,7 +12,8 @@
 
 namespace footfall::ui {
 
-/// Narrowest first, without slits and without those of a small prominence. Rows are made when they are displayed, so that their number is unlimited.
+/// Narrowest first, by the rule of usualBottlenecks(). Rows are made when they are displayed, so that their number is
+/// unlimited.
 class BottleneckModel : public QAbstractTableModel {
   Q_OBJECT
 

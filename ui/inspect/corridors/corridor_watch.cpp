@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/inspect/corridors/corridor_watch.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <new>
 #include <utility>
@@ -13,20 +12,15 @@
 namespace footfall::ui {
 namespace {
 
-constexpr double kSlitMetres = 0.1;         // as in `footfall corridors`
 constexpr std::size_t kMostLines = 60'000;  // overlays are sent to the graphics card with every frame
 
 ShownCorridors makeShown(const FinishedRun& run, ResultCache* cache, RunContext& context) {
   ShownCorridors shown;
   shown.isWithoutRadius = hasRadius(run.pipeline);
   shown.map = makeCorridorMap(*meshWithoutRadius(run, cache, context), {}, &context);
-  shown.slit = kSlitMetres / run.environment->metresPerUnit;
-  const auto& list = shown.map.bottlenecks;
-  shown.slits =
-      static_cast<std::size_t>(std::ranges::upper_bound(list, shown.slit, {}, &Bottleneck::width) - list.begin());
-  shown.shallow = static_cast<std::size_t>(
-      std::count_if(list.begin() + static_cast<std::ptrdiff_t>(shown.slits), list.end(),
-                    [&](const Bottleneck& b) { return prominence(shown.map, b) < kUsualProminence; }));
+  const BottleneckRule rule = usualBottlenecks(run.environment->metresPerUnit);
+  shown.slit = rule.widerThan;
+  shown.list = listBottlenecks(shown.map, rule);
   shown.lines = makeCorridorLines(shown.map, shown.slit, kMostLines);
   return shown;
 }

@@ -6,6 +6,7 @@
 #include <QString>
 #include <memory>
 
+#include "core/navigation/bottleneck_list.hpp"
 #include "ui/base/work/latest_work.hpp"
 #include "ui/inspect/corridors/corridor_lines.hpp"
 #include "ui/run/run_controller.hpp"
@@ -17,8 +18,7 @@ struct ShownCorridors {
   CorridorMap map;
   CorridorLines lines;
   double slit = 0;               ///< a passage that is at most as wide is a slit between modelled things
-  std::size_t slits = 0;         ///< bottlenecks that are slits; they are the first ones of the map
-  std::size_t shallow = 0;       ///< other bottlenecks with a prominence below kUsualProminence
+  BottleneckList list;           ///< the bottlenecks that are listed, and how many are not
   bool isWithoutRadius = false;  ///< the pipeline's RadiusFilter was left out
 };
 

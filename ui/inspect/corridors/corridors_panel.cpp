@@ -184,12 +184,12 @@ void CorridorsPanel::describe() {
                        : countedText(static_cast<std::uint64_t>(count), tr("bottleneck"), tr("bottlenecks")));
   if (tooNarrow > 0)
     lines.last() += tr(", %1 too narrow for the agent").arg(countText(static_cast<std::uint64_t>(tooNarrow)));
-  if (shown->slits > 0)
-    lines << tr("%n slits of at most %1 are left out.", "", static_cast<int>(shown->slits))
+  if (shown->list.slits > 0)
+    lines << tr("%n slits of at most %1 are left out.", "", static_cast<int>(shown->list.slits))
                  .arg(units_.length(shown->slit));
-  if (shown->shallow > 0)
+  if (shown->list.shallow > 0)
     lines << tr("%n places are left out from which the way gets wider by less than %1 %.", "",
-                static_cast<int>(shown->shallow))
+                static_cast<int>(shown->list.shallow))
                  .arg(countText(static_cast<std::uint64_t>(std::lround(100 * kUsualProminence))));
   if (shown->isWithoutRadius) lines << tr("Measured without the filter Radius, which makes passages narrower.");
   if (shown->lines.leftOut > 0)
