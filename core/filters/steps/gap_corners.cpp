@@ -25,7 +25,7 @@ constexpr double kMostSquares = 0x1p30;
 /// A square is grouped after this many searches in it, and again after twice as many each time.
 constexpr std::size_t kFirstSearches = 4;
 /// A group ends after this many triangles; further triangles are searched for one by one.
-constexpr std::size_t kMostGrouped = 2048;
+constexpr std::size_t kMostGrouped = 1 << 14;
 constexpr std::size_t kPolled = 1024;
 constexpr Index kEdgesPolled = 1 << 16;
 
@@ -195,10 +195,13 @@ class Neighbourhood {
 bool isOptional(const GapStretch& gap) { return gap.piece.corner.has_value(); }
 double lengthOf(const GapStretch& gap) { return gap.piece.ends[1] - gap.piece.ends[0]; }
 
-/// Sorts numbers of gaps in the order in which they are needed: the longest first.
+/// Sorts ascending numbers of gaps in the order in which they are needed: the longest first.
 void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretch>& gaps) {
-  std::stable_sort(numbers.begin(), numbers.end(),
-                   [&](std::size_t a, std::size_t b) { return lengthOf(gaps[a]) > lengthOf(gaps[b]); });
+  std::vector<std::pair<double, std::size_t>> byLength;  // negative lengths; gaps themselves are large
+  byLength.reserve(numbers.size());
+  for (const std::size_t number : numbers) byLength.emplace_back(-lengthOf(gaps[number]), number);
+  std::sort(byLength.begin(), byLength.end());
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = byLength[i].second;
 }
 
 /// Moves the chosen gaps from one list to another, in their order.
