@@ -138,12 +138,6 @@ void bindMap(py::class_<CorridorMap, SharedMap>& map) {
       .def_property_readonly(
           "bottlenecks", [](const CorridorMap& m) { return m.bottlenecks; },
           "A list of `Bottleneck`, the narrowest first.")
-      .def(
-          "prominence", [](const CorridorMap& m, const Bottleneck& b) { return prominence(m, b); },
-          py::arg("bottleneck"),
-          "Return how much wider the way gets on the less wide side of one of these bottlenecks, over its width: a "
-          "float, "
-          "0.05 for 5 %. Of a passage with rough borders the narrowest place has a large one.")
       .def("__repr__", [](const CorridorMap& m) {
         return "<footfall.CorridorMap: " + std::to_string(m.vertices.size()) + " places, " +
                std::to_string(m.edges.size()) + " edges, " + std::to_string(m.bottlenecks.size()) + " bottlenecks>";
@@ -171,6 +165,18 @@ Raises InputError, also where the map has no places.)",
 start, target: three numbers, Z up; the nearest places of the map are meant. Raises InputError, also where the map has no
 places.)",
       py::arg("start"), py::arg("target"));
+  define(
+      map, "prominence",
+      [](const CorridorMap& m, const Bottleneck& b) {
+        if (b.sides[0].widest >= m.vertices.size() || b.sides[1].widest >= m.vertices.size())
+          throw InputError("bottleneck: must be one of this map");
+        return prominence(m, b);
+      },
+      R"(Return how much wider the way gets on the less wide side of a bottleneck, over its width: a float, 0.05 for 5 %.
+
+bottleneck: one of this map. Of a passage with rough borders the narrowest place has a large one, the others have small
+ones. Raises InputError where it is of a larger map.)",
+      py::arg("bottleneck"));
   define(
       map, "to_json", [](const CorridorMap& m) { return shownText(formatCorridorsJson(m)); },
       "Return the map as JSON, as `footfall corridors` writes it: a str.");
