@@ -2195,6 +2195,10 @@
         <source>docs/how-to/buildings.md says how to install it</source>
         <translation>wie man ihn installiert, steht in docs/how-to/buildings.md</translation>
     </message>
+    <message>
+        <source>the corridor map is too large for glTF, which ends at 4 GB; write it as .json</source>
+        <translation>die Korridorkarte ist zu groß für glTF, das bei 4 GB endet; schreiben Sie sie als .json</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
@@ -7113,13 +7117,6 @@ Grundriss %2, Höhe %3
     </message>
 </context>
 <context>
-    <name>footfall::ui::PartLevel</name>
-    <message>
-        <source>the roles of parts cannot be applied (%1); close other programs or use a smaller environment</source>
-        <translation>Die Rollen der Teile können nicht angewandt werden (%1); schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
-    </message>
-</context>
-<context>
     <name>footfall::ui::ParameterNotes</name>
     <message>
         <source>Set the scale to %1</source>
@@ -7128,6 +7125,13 @@ Grundriss %2, Höhe %3
     <message>
         <source>Set %1 to %2</source>
         <translation>%1 auf %2 setzen</translation>
+    </message>
+</context>
+<context>
+    <name>footfall::ui::PartLevel</name>
+    <message>
+        <source>the roles of parts cannot be applied (%1); close other programs or use a smaller environment</source>
+        <translation>Die Rollen der Teile können nicht angewandt werden (%1); schließen Sie andere Programme oder nehmen Sie eine kleinere Umgebung</translation>
     </message>
 </context>
 <context>
