@@ -62,7 +62,10 @@ class EarlierResult {
  private:
   EarlierResult(StatePtr before, std::shared_ptr<const SourceEdit> edit, const PlanKernel& now, bool sameHeights);
   /// The number of a source vertex, and of a plan id, in the present mesh, or -1.
-  [[nodiscard]] Index vertexNow(Index before) const { return edit_ ? edit_->vertexOf[before] : before; }
+  [[nodiscard]] Index vertexNow(Index before) const {
+    if (before >= sourcesBefore_) return placeNow_[before - sourcesBefore_];
+    return edit_ ? edit_->vertexOf[before] : before;
+  }
   [[nodiscard]] Index planNow(Index before) const {
     if (before >= sourcesBefore_) return placeNow_[before - sourcesBefore_];
     return edit_ ? edit_->planOf[before] : before;
