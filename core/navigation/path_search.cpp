@@ -47,7 +47,7 @@ struct Reached {
   bool isOften = false;                                     ///< from several nodes, on ways of nearly that length
 };
 
-/// What a node sees: two nodes with equal views have the same paths behind them. Lines at ends are left out, as the
+/// The view of a node: two nodes with equal views have the same paths behind them. Lines at ends are left out, as the
 /// root and the end determine them.
 struct View {
   std::uint32_t triangle, side, root;

@@ -256,7 +256,7 @@ std::string resultSection(const RunResult& result, const AreaText& areaText) {
   return html + "</section>\n";
 }
 
-/// What is on either side of a bottleneck.
+/// Says what is on either side of a bottleneck.
 std::string sidesText(const CorridorMap& map, const Bottleneck& b, const AreaText& areaText) {
   if (b.isOnlyWay) return "areas of " + areaText(b.sides[0].area) + " and " + areaText(b.sides[1].area);
   const auto widest = [&](std::size_t side) { return shortNumber(map.vertices[b.sides.at(side).widest].width); };

@@ -71,7 +71,7 @@ FaceCuts ClearanceClipper::joinShares(Index face, std::span<const FaceShare> sha
     cuts.dependsOnFloors = cuts.dependsOnFloors || share.dependsOnFloors;
     edgeWalls_ |= share.edgeWalls;
   }
-  // As clip() does, which finds all of them together.
+  // clip() does the same, and finds all of them together.
   if (!cuts.removed && startWinding != 0) {
     candidates_.findAmong(face, candidatesOf(shares));
     cuts.removed = candidates_.areKnownToCover();

@@ -165,7 +165,7 @@ class TestCorridors : public EditorSuite {
   }
 
   void ofARoughPassageOnePlaceIsListed() {
-    // In the middle, the passage has a small niche on either side.
+    // The passage has a small niche on either side, in its middle.
     const QByteArray rough =
         "v 0 0 0\nv 4 0 0\nv 4 1.6 0\nv 4 2.4 0\nv 4 4 0\nv 0 4 0\nf 1 2 3 4 5 6\n"
         "v 4.4 1.6 0\nv 4.4 2.4 0\nf 3 7 8 4\n"

@@ -110,7 +110,7 @@ void TestClosedCover::boxesTakeWhatLiesUnderThem() {
   }
 }
 
-// What is known to be covered is covered, and that includes everything under a single box.
+// A floor that is known to be covered is covered, and that includes everything under a single box.
 void TestClosedCover::floorsUnderOneBoxAreKnown() {
   int known = 0, together = 0;
   for (std::uint32_t seed = 1; seed <= 20; ++seed) {

@@ -215,7 +215,7 @@ class TestBodyPath : public QObject {
   }
 
   void keepsTheRadiusWhereThereIsNoMoreRoom() {
-    // Between a pillar's corner and a wall there is exactly the agent's width, and a little more.
+    // A pillar's corner and a wall are the agent's width apart, exactly, and a little more.
     for (const double room : {0.0, 0.0001, 0.001, 0.01}) {
       const double radius = 0.5;
       const SharedMesh mesh =

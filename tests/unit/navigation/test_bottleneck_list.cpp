@@ -50,7 +50,7 @@ class TestBottleneckList : public QObject {
     QCOMPARE(listBottlenecks(map, rule).listed, (Numbers{0, 2}));
     rule.leastProminence = 0;
     QCOMPARE(listBottlenecks(map, rule).listed, (Numbers{0, 1, 2, 3}));
-    // What is too wide is left out without a word.
+    // Bottlenecks that are too wide are left out without a word.
     rule = {.widerThan = 1, .narrowerThan = 4, .leastProminence = 0.6};
     const BottleneckList list = listBottlenecks(map, rule);
     QVERIFY(list.listed.empty());
