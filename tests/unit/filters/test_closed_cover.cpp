@@ -13,6 +13,7 @@
 #include "footfall/pipeline.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
+#include "tests/unit/filters/floor_runs.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -52,26 +53,6 @@ Boxes boxesOver(std::uint32_t seed, bool isTurned) {
   return boxes;
 }
 
-double areaAtZero(const NavigationMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    if (a.z == 0 && b.z == 0 && c.z == 0) sum += ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  }
-  return sum;
-}
-
-NavigationMesh run(const Environment& environment, const std::string& filters, int threads) {
-  RunContext context;
-  return *runPipeline(std::make_shared<Environment>(environment), parsePipeline(filters, "test"), context, nullptr,
-                      threads)
-              .mesh;
-}
-
-bool same(const NavigationMesh& a, const NavigationMesh& b) {
-  return a.vertices == b.vertices && a.triangles == b.triangles && a.obstacleEdges == b.obstacleEdges;
-}
-
 }  // namespace
 
 class TestClosedCover : public QObject {
@@ -100,7 +81,7 @@ void TestClosedCover::boxesTakeWhatLiesUnderThem() {
     QCOMPARE(findMeshError(mesh), std::string());
     // Turning makes areas 25 times as large.
     const auto open = static_cast<double>(std::count(boxes.covered.begin(), boxes.covered.end(), 0));
-    QVERIFY(std::abs(areaAtZero(mesh) - (isTurned ? 25 * open : open)) < 1e-9 * kExtent * kExtent * 25);
+    QVERIFY(std::abs(floorArea(mesh) - (isTurned ? 25 * open : open)) < 1e-9 * kExtent * kExtent * 25);
 
     QVERIFY(same(run(*environment, "GridStrategy 3 2\n" + filters + "Collapse\n", 2), mesh));
     std::vector<std::uint32_t> order(environment->triangles.size());

@@ -16,6 +16,7 @@
 #include "footfall/pipeline.hpp"
 #include "tests/support/run_filters.hpp"
 #include "tests/support/soup.hpp"
+#include "tests/unit/filters/floor_runs.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -66,22 +67,6 @@ std::vector<char> floorLeft(const NavigationMesh& mesh) {
   return left;
 }
 
-double floorArea(const NavigationMesh& mesh) {
-  double sum = 0;
-  for (const Triangle& t : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[t[0]], &b = mesh.vertices[t[1]], &c = mesh.vertices[t[2]];
-    if (a.z == 0 && b.z == 0 && c.z == 0) sum += ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)) / 2;
-  }
-  return sum;
-}
-
-NavigationMesh run(const Environment& environment, const std::string& filters, int threads) {
-  RunContext context;
-  return *runPipeline(std::make_shared<Environment>(environment), parsePipeline(filters, "test"), context, nullptr,
-                      threads)
-              .mesh;
-}
-
 /// The height of a triangle in space over a place; none beside it and where it stands upright.
 std::optional<double> heightAt(const Vec3& a, const Vec3& b, const Vec3& c, double x, double y) {
   const double whole = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
@@ -98,10 +83,6 @@ bool isFloorOf50(const std::array<Vec3, 3>& t) {
   const double ny = (b.z - a.z) * (c.x - a.x) - (b.x - a.x) * (c.z - a.z);
   const double nz = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   return nz > 0 && std::hypot(nx, ny) <= std::tan(std::acos(-1.0) * 50 / 180) * nz;
-}
-
-bool same(const NavigationMesh& a, const NavigationMesh& b) {
-  return a.vertices == b.vertices && a.triangles == b.triangles && a.obstacleEdges == b.obstacleEdges;
 }
 
 }  // namespace
