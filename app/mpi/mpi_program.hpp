@@ -59,7 +59,7 @@ class MpiProgram : public RunProgram {
   void drop();
   [[nodiscard]] double overheadMs() const;
 
-  const detail::Stopwatch total_;
+  const detail::Stopwatch total_{};
   std::string workFolder_;
   bool leavesShares_ = false;
   bool isBegun_ = false;
