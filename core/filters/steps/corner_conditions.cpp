@@ -1,7 +1,9 @@
 // Gaps at corners of borders: free ways around the nearest places of two borders.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "core/filters/steps/gap_conditions.hpp"
 
@@ -17,6 +19,9 @@ constexpr double kOblique = 0.75;
 /// The angle by which a direction is turned is halved this many times at most; the smallest angle is the last one.
 constexpr int kTurns = 20;
 constexpr double kMostTurn = 8;  // tangent of the angle
+/// The greatest distance of a corner from the end of a piece, along the frame: as a part of the piece's length, and as a
+/// part of the gap.
+constexpr double kMostOfLength = 0.25, kMostOfGap = 0.5;
 
 struct PlanDirection {
   double x = 0, y = 0;
@@ -104,7 +109,12 @@ std::optional<GapFrame> GapConditions::frameOf(const GapBorder& first, const Gap
   const PlanDirection both{begin.x + end.x, begin.y + end.y};
   // Vertices of a link may be off by kSlack at either end.
   if (!straight || std::fabs(both.x * straight->alongX + both.y * straight->alongY) <= 2 * kSlack) return straight;
-  return frameAcross(first.from, unit(both));
+  const GapFrame turned = frameAcross(first.from, unit(both));
+  const PlanDirection axis{turned.alongX, turned.alongY};
+  const bool isSteep = std::ranges::all_of(
+      std::array{between(first.from, first.to), between(second.to, second.from)},
+      [&](const PlanDirection& border) { return dot(border, axis) >= kLeastSine / 2 * lengthOf(border); });
+  return isSteep && std::fabs(dot(begin, axis)) <= kMostOff ? turned : straight;
 }
 
 std::optional<GapPiece> GapConditions::findWhole(const GapBorder& first, const GapBorder& second,
@@ -121,6 +131,34 @@ std::optional<GapPiece> GapConditions::findWhole(const GapBorder& first, const G
   return std::move(free[0]);
 }
 
+void GapConditions::leadToCorners(const GapBorder& first, const GapBorder& second, GapPiece& piece) {
+  const std::array<Vec3, 2> own{first.from, first.to}, other{second.to, second.from};
+  const double farthest = std::min(kMostOfLength * (piece.ends[1] - piece.ends[0]), kMostOfGap * gap_);
+  std::array<std::array<double, 2>, 2> corners{};
+  std::array<bool, 2> isNear{};
+  for (const std::size_t end : {0, 1}) {
+    double distance = 0;
+    for (const std::size_t border : {0, 1}) {
+      const Vec3& corner = border == 0 ? own[end] : other[end];
+      corners[border][end] = piece.frame.along(corner.x, corner.y);
+      distance = std::max(distance, std::fabs(corners[border][end] - piece.ends[end]));
+    }
+    isNear[end] = distance > kAcross && distance <= farthest;
+  }
+  for (const auto& [low, high] : {std::pair(true, true), std::pair(true, false), std::pair(false, true)}) {
+    if ((low && !isNear[0]) || (high && !isNear[1])) continue;
+    std::array<std::array<double, 2>, 2> places{piece.ends, piece.ends};
+    for (const std::size_t border : {0, 1}) {
+      if (low) places[border][0] = corners[border][0];
+      if (high) places[border][1] = corners[border][1];
+    }
+    if (std::optional<GapPiece> found = findBetween(first, second, piece, places)) {
+      piece = std::move(*found);
+      return;
+    }
+  }
+}
+
 std::vector<GapPiece> GapConditions::find(const GapBorder& first, const GapBorder& second) {
   std::vector<GapPiece> pieces;
   if (const std::optional<GapPiece> near = findNear(first, second)) pieces = findFree(first, second, *near);
@@ -128,7 +166,10 @@ std::vector<GapPiece> GapConditions::find(const GapBorder& first, const GapBorde
   const PlanDirection e = between(first.from, first.to);
   const GapFrame& frame = pieces[0].frame;
   const double along = e.x * frame.alongX + e.y * frame.alongY;
-  if (along * along >= kOblique * dot(e, e)) return pieces;
+  if (along * along >= kOblique * dot(e, e)) {
+    for (GapPiece& piece : pieces) leadToCorners(first, second, piece);
+    return pieces;
+  }
   for (GapPiece& piece : pieces) {
     const double t = piece.ends[0] / along;
     piece.corner = Vec3{first.from.x + t * e.x, first.from.y + t * e.y, 0};

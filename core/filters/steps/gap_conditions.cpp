@@ -16,6 +16,10 @@ namespace {
 constexpr double kSlack = GapConditions::kSlack;
 constexpr double kTouch = 8 * GapConditions::kUnit;
 constexpr double kWide = 16 * kTouch;
+constexpr double kSpareWidth = 16 * kSlack;  // more than rounding can make a way wider
+/// The least sine of the angle between a way from corner to corner and a border: a degree. Both corners are vertices,
+/// so that no place on a border depends on the angle.
+constexpr double kLeastTurnedSine = 1.0 / 64;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The height and distance of a border as functions of the place along a frame.
@@ -118,6 +122,14 @@ std::optional<GapFrame> GapConditions::frameOf(const GapBorder& first, const Gap
   return GapFrame{first.from.x, first.from.y, x / size, y / size};
 }
 
+void GapPiece::setWays(const std::array<double, 2>& places) {
+  const double factor = (ends[1] - ends[0]) / (places[1] - places[0]);
+  const double shift = ends[0] / factor - places[0];
+  secondFrame = {frame.originX - shift * frame.alongX, frame.originY - shift * frame.alongY, factor * frame.alongX,
+                 factor * frame.alongY};
+  skew = std::max(std::fabs(ends[0] - places[0]), std::fabs(ends[1] - places[1]));
+}
+
 std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const GapBorder& second) const {
   const std::optional<GapFrame> frame = frameOf(first, second);
   return frame ? findNear(first, second, *frame, kSlack) : std::nullopt;
@@ -161,6 +173,43 @@ std::optional<GapPiece> GapConditions::findNear(const GapBorder& first, const Ga
   return piece;
 }
 
+// Widths and rises are linear functions of the way's place, so it suffices to test both ends.
+std::optional<GapPiece> GapConditions::findBetween(const GapBorder& first, const GapBorder& second,
+                                                   const GapPiece& piece,
+                                                   const std::array<std::array<double, 2>, 2>& places) {
+  const auto& [own, other] = places;
+  if (!(own[1] - own[0] > kShort) || !(other[1] - other[0] > kShort)) return std::nullopt;
+  const Profiles p(piece.frame, first, second);
+  const double highest = step_ - 4 * p.heightSlack(), most = gap_ - kSpareWidth;
+  std::array<double, 2> rises{};
+  for (const std::size_t i : {0, 1}) {
+    const double along = other[i] - own[i];
+    const double across = p.second.acrossAt(other[i]) - p.first.acrossAt(own[i]);
+    const bool isKnown = along == 0;  // an end of the piece as it was
+    if (!isKnown && !(along * along + across * across <= most * most && across > 2 * kTouch)) return std::nullopt;
+    // The way's angle with a border has the sine of their cross product.
+    for (const Profile* border : {&p.first, &p.second}) {
+      const double length = border->end - border->begin, turn = border->across[1] - border->across[0];
+      const double product = length * across - turn * along, least = kLeastTurnedSine * kLeastTurnedSine;
+      if (!isKnown && !(product > 0 && product * product >=
+                                           least * (length * length + turn * turn) * (along * along + across * across)))
+        return std::nullopt;
+    }
+    rises[i] = p.second.heightAt(other[i]) - p.first.heightAt(own[i]);
+  }
+  if (!first.level || !second.level)
+    for (const double sign : {1.0, -1.0}) {
+      const auto [low, high] = std::minmax({sign * rises[0], sign * rises[1]});
+      if (high > highest || (atLimit_ && low >= (*atLimit_)[0] && high > (*atLimit_)[1])) return std::nullopt;
+    }
+  GapPiece skewed = piece;
+  skewed.ends = own;
+  skewed.setWays(other);
+  std::vector<GapPiece> free = findFree(first, second, skewed);
+  if (free.size() != 1 || free[0].ends != own) return std::nullopt;
+  return std::move(free[0]);
+}
+
 std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapBorder& second, const GapPiece& near) {
   const GapFrame& frame = near.frame;
   const Profiles p(frame, first, second);
@@ -178,9 +227,9 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
     box.upper[k] = -kInfinity;
   }
   for (const Profile* border : {&p.first, &p.second})
-    for (const double along : near.ends) {
-      Vec3 place = frame.place(along, border->acrossAt(along));
-      place.z = border->heightAt(along);
+    for (const double along : {begin - near.skew, end + near.skew}) {
+      Vec3 place = frame.place(along, lineAt(*border, border->across, along));
+      place.z = lineAt(*border, border->height, along);
       const std::array<double, 3> values{place.x, place.y, place.z};
       for (int k = 0; k < 3; ++k) {
         box.lower[k] = std::min(box.lower[k], values[k] - 4 * kSlack);
@@ -196,10 +245,12 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   }
 
   GapPiece whole = near;
+  const double skew = near.skew;  // ways begin and end that far beyond their places
   std::vector<std::array<double, 2>> blocked;
   std::vector<Corner> polygon, room;
-  const GapStrip strip = stripOf(p, near.ends);
-  const GapStrip::Heights heights = heightsOf(p, near.ends, {step_ - 2 * slack, clearance_ + 2 * slack});
+  const std::array<double, 2> reached{begin - skew, end + skew};
+  const GapStrip strip = stripOf(p, reached);
+  const GapStrip::Heights heights = heightsOf(p, reached, {step_ - 2 * slack, clearance_ + 2 * slack});
   bool isBlocked = false;  // as a whole, so that no other obstacle matters
   const auto block = [&](Index t) {
     const auto& corners = mesh_.triangles[t];
@@ -223,8 +274,8 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
       for (const Profile* high : higher) {
         polygon.clear();
         for (std::size_t k = 0; k < 3; ++k) polygon.push_back({places[k][0], places[k][1], zOf(k)});
-        clip(polygon, room, [&](const Corner& c) { return c[0] - begin + 2 * kSlack; });
-        clip(polygon, room, [&](const Corner& c) { return end - c[0] + 2 * kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return c[0] - reached[0] + 2 * kSlack; });
+        clip(polygon, room, [&](const Corner& c) { return reached[1] - c[0] + 2 * kSlack; });
         clip(polygon, room, [&](const Corner& c) { return c[1] - lineAt(p.first, p.first.across, c[0]) + kSlack; });
         clip(polygon, room, [&](const Corner& c) { return lineAt(p.second, p.second.across, c[0]) - c[1] + kSlack; });
         clip(polygon, room, [&](const Corner& c) { return c[2] - lineAt(*low, low->height, c[0]) - step_ + slack; });
@@ -236,13 +287,13 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
           from = std::min(from, c[0]);
           to = std::max(to, c[0]);
         }
-        if (to <= begin + kSlack)
+        if (to <= reached[0] + kSlack)
           whole.touching[0].push_back(t);
-        else if (from >= end - kSlack)
+        else if (from >= reached[1] - kSlack)
           whole.touching[1].push_back(t);
         else {
-          blocked.push_back({from - kSlack, to + kSlack});
-          isBlocked = isBlocked || (from - kSlack <= begin && to + kSlack >= end);
+          blocked.push_back({from - kSlack - skew, to + kSlack + skew});
+          isBlocked = isBlocked || (blocked.back()[0] <= begin && blocked.back()[1] >= end);
         }
       }
   };
@@ -259,7 +310,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   std::vector<GapPiece> pieces;
   const auto add = [&](double from, double to) {
     if (!(to - from > kShort)) return;
-    pieces.push_back({frame, {from, to}, {}, near.isAsWide, near.corner});
+    pieces.push_back({frame, {from, to}, {}, near.isAsWide, near.corner, near.secondFrame, skew});
     if (from == begin) pieces.back().touching[0] = whole.touching[0];
     if (to == end) pieces.back().touching[1] = whole.touching[1];
   };

@@ -14,6 +14,10 @@
 // straight across. Horizontal borders and obstacles that touch a limit exactly (a door that is as high as the
 // clearance) are compared exactly. Slits that are as wide as the gap, and obstacles that touch the end of a piece, are
 // left to the caller, which compares the obstacles with the line there exactly; single points do not count.
+//
+// A piece that nearly reaches a corner of both borders is extended to them (leadToCorners()). Its ways are then turned
+// from end to end: places of E and F that divide the piece in the same ratio are across from each other. All ways lie
+// between the outermost places of both borders, and obstacles are tested there.
 #pragma once
 
 #include <array>
@@ -51,6 +55,24 @@ struct GapPiece {
   /// piece of at most kShortInGaps gaps. Such a gap gets a link only where the link leads to another floor
   /// (NeedlessGaps).
   std::optional<Vec3> corner = {};
+  /// The frame of the second border where ways are not at a right angle to the first one's frame: places with equal
+  /// values along both frames are across from each other.
+  std::optional<GapFrame> secondFrame = {};
+  double skew = 0;  ///< the greatest length of a way along `frame`
+
+  /// The frame of the first border (0) or of the second one (1).
+  [[nodiscard]] const GapFrame& frameOf(std::size_t border) const {
+    return border == 1 && secondFrame ? *secondFrame : frame;
+  }
+  /// The place along `frame` of the second border's place with this value along frameOf(1).
+  [[nodiscard]] double placeAcross(double along) const {
+    if (!secondFrame) return along;
+    const double factor = secondFrame->alongX * frame.alongX + secondFrame->alongY * frame.alongY;
+    return along / factor - ((frame.originX - secondFrame->originX) * frame.alongX +
+                             (frame.originY - secondFrame->originY) * frame.alongY);
+  }
+  /// Sets the second frame, so that places at `places` along `frame` are across from those at `ends`.
+  void setWays(const std::array<double, 2>& places);
 };
 
 class GapConditions {
@@ -82,7 +104,10 @@ class GapConditions {
 
   /// The frame of two borders that face each other; its ways are at a right angle to their bisector.
   [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second);
-  /// The frame of a link between a piece of each; its ways run from end to end of these pieces.
+  /// The distance along a frame by which vertices of a link can be off from being across from each other.
+  static constexpr double kMostOff = 4 * kAcross;
+  /// The frame of a link between a piece of each. Its ways run from end to end of these pieces where such ways are
+  /// parallel and meet the borders at a sufficient angle.
   [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second,
                                                        const std::array<GapBorder, 2>& pieces);
 
@@ -97,6 +122,17 @@ class GapConditions {
  private:
   /// A corner of an obstacle in the frame.
   using Corner = std::array<double, 3>;
+
+  /// Lets the ways at the ends of a piece lead from corner to corner, where the piece nearly reaches a corner of either
+  /// border and all ways stay free. Ways at a right angle to the bisector would leave a wedge where the next two
+  /// borders go on in another direction (a curved flight of stairs whose risers lean). Nothing is linked in a wedge, so
+  /// that a margin would be cut out around it, however small it is.
+  void leadToCorners(const GapBorder& first, const GapBorder& second, GapPiece& piece);
+  /// The piece with ways between the first border's `places[0]` and the second border's `places[1]`, which are low and
+  /// high along its frame; empty where one of the ways is not free.
+  [[nodiscard]] std::optional<GapPiece> findBetween(const GapBorder& first, const GapBorder& second,
+                                                    const GapPiece& piece,
+                                                    const std::array<std::array<double, 2>, 2>& places);
 
   /// The pieces around the nearest places of both borders, with ways in the direction from one to the other; called
   /// where find() has no others. Where both places are ends, and such ways would meet one border only, the direction is

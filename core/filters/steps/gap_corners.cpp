@@ -54,7 +54,7 @@ class Neighbourhood {
     addWay(way.first, {way.parts[0], triangleOf(way.second), -1});
     addWay(way.second, {way.parts[1], triangleOf(way.first), -1});
   }
-  void add(const GapStretch& gap) { add(gapWay(splits_, gap.first, gap.second, gap.piece.frame, gap.piece.ends)); }
+  void add(const GapStretch& gap) { add(gapWay(splits_, gap.first, gap.second, gap.piece, gap.piece.ends)); }
 
   /// Returns whether an agent gets from one side to the other close to the gap.
   [[nodiscard]] bool joins(const GapStretch& gap) {

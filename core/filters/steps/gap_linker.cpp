@@ -136,11 +136,19 @@ std::vector<GapStretch> GapLinker::findAgain(Index first, Index second, const st
   const GapBorder &e = lineOf(first), &f = lineOf(second);
   const std::optional<GapFrame> frame = GapConditions::frameOf(e, f, edges);
   if (!frame) return found;
-  const auto along = [&](const Vec3& place) { return frame->along(place.x, place.y); };
-  const double begin = std::max({along(e.from), along(f.to), along(edges[0].from), along(edges[1].to)});
-  const double end = std::min({along(e.to), along(f.from), along(edges[0].to), along(edges[1].from)});
-  if (!(end - begin > GapConditions::kShort)) return found;
-  const GapStretch whole{first, second, {*frame, {begin, end}, {}}, {}, false};
+  GapPiece piece{*frame, {}, {}};
+  const auto along = [&](std::size_t border, const Vec3& place) {
+    return piece.frameOf(border).along(place.x, place.y);
+  };
+  const std::array<double, 2> across{along(0, edges[1].to), along(0, edges[1].from)};
+  piece.ends = {along(0, edges[0].from), along(0, edges[0].to)};
+  if (std::max(std::fabs(across[0] - piece.ends[0]), std::fabs(across[1] - piece.ends[1])) > GapConditions::kMostOff &&
+      std::min(across[1] - across[0], piece.ends[1] - piece.ends[0]) > GapConditions::kShort)
+    piece.setWays(across);
+  piece.ends = {std::max({along(0, e.from), along(1, f.to), piece.ends[0], along(1, edges[1].to)}),
+                std::min({along(0, e.to), along(1, f.from), piece.ends[1], along(1, edges[1].from)})};
+  if (!(piece.ends[1] - piece.ends[0] > GapConditions::kShort)) return found;
+  const GapStretch whole{first, second, std::move(piece), {}, false};
   if (conditions == nullptr) return {whole};
   for (GapPiece& free : conditions->findFree(e, f, whole.piece))
     found.push_back({first, second, std::move(free), {}, false});
@@ -205,11 +213,13 @@ const MeshVertex* GapLinker::vertexAt(Index number, const GapFrame& frame, doubl
   return found ? &splits_.chainVertex(splits_.border(number), *found) : nullptr;
 }
 
-void GapLinker::planCut(GapStretch& stretch, Index number, const Chain& chain, double along, Cuts& cuts) {
+void GapLinker::planCut(GapStretch& stretch, std::size_t own, const Chain& chain, double along, Cuts& cuts) {
+  if (findAt(chain, stretch.piece.frameOf(own), along)) return;
+  const Index number = own == 0 ? stretch.first : stretch.second;
   const GapFrame& frame = stretch.piece.frame;
-  if (findAt(chain, frame, along)) return;
   const GapBorder& line = chain.line;
   const double begin = frame.along(line.from.x, line.from.y), end = frame.along(line.to.x, line.to.y);
+  if (own == 1) along = stretch.piece.placeAcross(along);
   const double t = (along - begin) / (end - begin);
   const double across = frame.across(line.from.x, line.from.y) * (1 - t) + frame.across(line.to.x, line.to.y) * t;
   const Vec3 place = frame.place(along, across);
@@ -237,17 +247,17 @@ bool GapLinker::planCuts(const Group& group, Cuts& cuts) {
     if (cuts.list.size() > cuts.most) return false;
     if (stretch.isDropped || isSettled(gap)) continue;
     const auto [low, high] = stretch.piece.ends;
-    const std::array numbers{stretch.first, stretch.second};
     const std::array chains{chainOf(stretch.first), chainOf(stretch.second)};
     for (const double end : {low, high})
       for (const std::size_t k : {0, 1})
-        if (!stretch.isDropped) planCut(stretch, numbers[k], chains[k], end, cuts);
+        if (!stretch.isDropped) planCut(stretch, k, chains[k], end, cuts);
     for (const std::size_t k : {0, 1}) {
       const Chain& own = chains[k];
-      const ChainPart part = partOf(own, stretch.piece.frame, low + kAcross, high - kAcross);
+      const GapFrame& frame = stretch.piece.frameOf(k);
+      const ChainPart part = partOf(own, frame, low + kAcross, high - kAcross);
       const std::size_t last = std::min(part.end, own.length() - 1);
       for (std::size_t i = std::max<std::size_t>(part.begin, 1); i < last && !stretch.isDropped; ++i)
-        planCut(stretch, numbers[1 - k], chains[1 - k], own.along(stretch.piece.frame, i), cuts);
+        planCut(stretch, 1 - k, chains[1 - k], own.along(frame, i), cuts);
     }
   }
   return true;
@@ -323,8 +333,8 @@ GapLinker::Proof GapLinker::prove(const GapStretch& stretch) {
   const GapPiece& piece = stretch.piece;
   Corners p{}, q{};  // low and high, on the first border and on the second one
   for (const int i : {0, 1}) {
-    p[i] = vertexAt(stretch.first, piece.frame, piece.ends[i]);
-    q[i] = vertexAt(stretch.second, piece.frame, piece.ends[i]);
+    p[i] = vertexAt(stretch.first, piece.frameOf(0), piece.ends[i]);
+    q[i] = vertexAt(stretch.second, piece.frameOf(1), piece.ends[i]);
     if (p[i] == nullptr || q[i] == nullptr) return {Fault::Unknown, -1};
   }
   const PlanKernel& kernel = *splits_.kernel();
@@ -358,8 +368,8 @@ bool GapLinker::drawIn(GapStretch& stretch, const Proof& proof) {
   // draws the end in to where GapConditions can distinguish the width from the gap
   if (proof.fault == Fault::IsTooWide) {
     const auto widthAt = [&](int i) {
-      const Vec3 p = placeOf(*vertexAt(stretch.first, piece.frame, piece.ends[i]));
-      const Vec3 q = placeOf(*vertexAt(stretch.second, piece.frame, piece.ends[i]));
+      const Vec3 p = placeOf(*vertexAt(stretch.first, piece.frameOf(0), piece.ends[i]));
+      const Vec3 q = placeOf(*vertexAt(stretch.second, piece.frameOf(1), piece.ends[i]));
       return std::sqrt((p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y));
     };
     const double most = std::ldexp(gap_, splits_.kernel()->mesh().grid.scaleExponent()) - GapConditions::kSlack;

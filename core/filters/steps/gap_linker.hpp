@@ -136,7 +136,8 @@ class GapLinker {
   void goOn(Group& group, Cuts& cuts);
   /// False when they would be more than allowed.
   [[nodiscard]] bool planCuts(const Group& group, Cuts& cuts);
-  void planCut(GapStretch& stretch, Index border, const Chain& chain, double along, Cuts& cuts);
+  /// `own` is the number of the border in the stretch: 0 or 1.
+  void planCut(GapStretch& stretch, std::size_t own, const Chain& chain, double along, Cuts& cuts);
   void makeCuts(const std::vector<Cut>& cuts, const Spread& spread);
   /// Proves of the gaps of a group what the cuts made of them; draws ends in. False when none was.
   bool prove(const Group& group);

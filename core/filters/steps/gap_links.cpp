@@ -23,17 +23,18 @@ std::size_t GapLinker::visitLinks(const GapStretch& stretch, const Visit& visit)
     std::size_t vertex = 0;
     double along = 0;
   };
-  const auto placesOf = [&](Index number) {
+  const auto placesOf = [&](Index number, std::size_t border) {
     const GapPiece& piece = stretch.piece;
+    const GapFrame& frame = piece.frameOf(border);
     const Chain chain = chainOf(number);
-    const ChainPart part = partOf(chain, piece.frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
+    const ChainPart part = partOf(chain, frame, piece.ends[0] - kAcross, piece.ends[1] + kAcross);
     std::vector<Place> places;
     places.reserve(part.end - part.begin);
-    for (std::size_t i = part.begin; i < part.end; ++i) places.push_back({i, chain.along(piece.frame, i)});
+    for (std::size_t i = part.begin; i < part.end; ++i) places.push_back({i, chain.along(frame, i)});
     return places;
   };
-  const std::vector<Place> first = placesOf(stretch.first);
-  std::vector<Place> second = placesOf(stretch.second);
+  const std::vector<Place> first = placesOf(stretch.first, 0);
+  std::vector<Place> second = placesOf(stretch.second, 1);
   std::reverse(second.begin(), second.end());
   std::size_t i = 0, j = 0, unpaired = 0;
   std::optional<std::array<std::size_t, 2>> last;
@@ -72,8 +73,7 @@ std::vector<GapWay> GapLinker::ways() {
   std::vector<GapWay> ways;
   for (const GapStretch& gap : gaps_) {
     context_.checkCancelled();
-    for (const auto& part : linkedParts(gap))
-      ways.push_back(gapWay(splits_, gap.first, gap.second, gap.piece.frame, part));
+    for (const auto& part : linkedParts(gap)) ways.push_back(gapWay(splits_, gap.first, gap.second, gap.piece, part));
   }
   return ways;
 }
@@ -86,7 +86,7 @@ std::vector<PlanSegment> GapLinker::lostParts() {
     const auto [begin, end] = known_[i].ends;
     const auto lose = [&](double low, double high) {
       if (!(high - low > GapConditions::kShort)) return;
-      const GapWay way = gapWay(splits_, gap.first, gap.second, gap.piece.frame, {low, high});
+      const GapWay way = gapWay(splits_, gap.first, gap.second, gap.piece, {low, high});
       lost.insert(lost.end(), way.parts.begin(), way.parts.end());
     };
     double reached = begin;

@@ -11,13 +11,13 @@ PlanSegment partOf(const PlanSegment& border, const GapFrame& frame, const std::
   return {border.fromX + low * x, border.fromY + low * y, border.fromX + high * x, border.fromY + high * y};
 }
 
-GapWay gapWay(const BorderSplits& splits, Index first, Index second, const GapFrame& frame,
+GapWay gapWay(const BorderSplits& splits, Index first, Index second, const GapPiece& piece,
               const std::array<double, 2>& ends) {
-  const auto partAlong = [&](Index number) {
-    const MeshBorder& border = splits.border(number);
-    return partOf(planSegment(splits.vertex(border.from), splits.vertex(border.to)), frame, ends);
+  const auto partAlong = [&](Index number, std::size_t border) {
+    const MeshBorder& side = splits.border(number);
+    return partOf(planSegment(splits.vertex(side.from), splits.vertex(side.to)), piece.frameOf(border), ends);
   };
-  return {first, second, {partAlong(first), partAlong(second)}};
+  return {first, second, {partAlong(first, 0), partAlong(second, 1)}};
 }
 
 }  // namespace footfall::detail

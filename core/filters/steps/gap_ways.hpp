@@ -32,8 +32,8 @@ struct GapWay {
   std::array<PlanSegment, 2> parts;
 };
 
-/// The way between two borders along an interval of a frame.
-GapWay gapWay(const BorderSplits& splits, Index first, Index second, const GapFrame& frame,
+/// The ways over a piece of a gap between two borders, along an interval.
+GapWay gapWay(const BorderSplits& splits, Index first, Index second, const GapPiece& piece,
               const std::array<double, 2>& ends);
 
 }  // namespace footfall::detail

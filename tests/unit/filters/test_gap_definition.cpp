@@ -213,6 +213,17 @@ bool agreesWithDefinition(const std::shared_ptr<const Environment>& environment,
         ++counts.expected;
         if (links.contains({first, second})) continue;
         const Point3 p = placeOn(a, percent / 100.0);
+        // Where a link leads to corners, a way may lead beside the place across, by half of the gap.
+        const double across = along(p);
+        const bool leadsBeside = std::ranges::any_of(links, [&](const auto& link) {
+          const auto& [from, to] = link.first;
+          if (from != first) return false;
+          const BorderEdge3 other = edgeOf(to);
+          return std::fabs(along(placeOn(other, Rational(1 - percent / 100.0))) - across) <=
+                     (gap / 2 + margin) * std::hypot(ex, ey) &&
+                 &wholeOf(other, whole) == &wholeOf(b, whole);
+        });
+        if (leadsBeside) continue;
         const bool isOneRegion = regionAt.at(first) == regionAt.at(second);
         const double length =
             lengthOfStretch(*environment, wholeOf(a, whole), wholeOf(b, whole), p, {height, step, gap}, margin);
