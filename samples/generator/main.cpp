@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::string_view kUsage =
     "usage: footfall-samples FOLDER, or footfall-samples city TRIANGLES FILE.obj,\n"
-    "or footfall-samples scene town|office|foliage|noise|ramps TRIANGLES FILE.obj [SEED]\n";
+    "or footfall-samples scene town|office|foliage|noise|ramps|stands TRIANGLES FILE.obj [SEED]\n";
 
 /// A whole number above 0; 0 after a message with the expected values.
 std::uint64_t numberOf(const std::string& text, std::string_view meaning) {

@@ -269,4 +269,37 @@ SceneSize writeRamps(std::ostream& out, std::uint64_t triangles, std::uint64_t s
   return scene.size();
 }
 
+SceneSize writeStands(std::ostream& out, std::uint64_t triangles, std::uint64_t seed) {
+  Random random(seed * 2 + 1);
+  Scene scene(out, kScenes[5].description, triangles);
+  constexpr int kRows = 12, kSides = 64, kApart = 40;
+  constexpr int kPitch = 8_m, kDepth = 0.75_m, kRise = 0.375_m;
+  fill(scene, [&](int column, int row) {
+    const int lean = random.chance(50) ? 0.015625_m : -0.015625_m;
+    const Mesh bowl = meshOf([&](Mesh& mesh) {
+      mesh.polygon(polygonRing({0, 0, 0}, kPitch, kSides));
+      int inner = -1, radius = kPitch;
+      const auto goOnTo = [&](int height) {
+        const int outer = static_cast<int>(mesh.vertexCount());
+        for (const Point& p : polygonRing({0, 0, height}, radius, kSides)) mesh.vertex(p);
+        for (int i = 0; i < kSides && inner >= 0; ++i) {
+          const int j = (i + 1) % kSides;
+          mesh.quad(inner + i, outer + i, outer + j, inner + j);
+        }
+        inner = outer;
+      };
+      goOnTo(0);
+      for (int i = 0; i < kRows; ++i) {
+        radius += lean;
+        goOnTo((i + 1) * kRise);
+        radius += kDepth;
+        goOnTo((i + 1) * kRise);
+      }
+    });
+    const auto x = static_cast<float>(column * kApart), y = static_cast<float>(row * kApart);
+    scene.add(bowl, placement(random.between(0, kTurn - 1), 1, x, y, 0), 1);
+  });
+  return scene.size();
+}
+
 }  // namespace footfall::samples

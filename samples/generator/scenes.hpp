@@ -33,6 +33,8 @@ SceneSize writeFoliage(std::ostream& out, std::uint64_t triangles, std::uint64_t
 SceneSize writeNoise(std::ostream& out, std::uint64_t triangles, std::uint64_t random);
 /// Platforms with ramps of 45 degrees at all angles, half of which are steeper by rounding.
 SceneSize writeRamps(std::ostream& out, std::uint64_t triangles, std::uint64_t random);
+/// Bowls of round steps whose risers lean outwards or hang over.
+SceneSize writeStands(std::ostream& out, std::uint64_t triangles, std::uint64_t random);
 
 inline constexpr std::array kScenes{
     SceneKind{"town", "Town: blocks of a city, turned.", writeTown},
@@ -40,6 +42,7 @@ inline constexpr std::array kScenes{
     SceneKind{"foliage", "Foliage: trees and bushes of single leaves.", writeFoliage},
     SceneKind{"noise", "Noise: a city whose coordinates are off by their last bits.", writeNoise},
     SceneKind{"ramps", "Ramps of 45 degrees, turned.", writeRamps},
+    SceneKind{"stands", "Stands: bowls of steps whose risers lean.", writeStands},
 };
 
 }  // namespace footfall::samples

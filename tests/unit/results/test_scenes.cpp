@@ -27,7 +27,8 @@ int generate(const QStringList& arguments) {
 
 void addKinds() {
   QTest::addColumn<QString>("kind");
-  for (const char* kind : {"town", "office", "foliage", "noise", "ramps"}) QTest::newRow(kind) << QString(kind);
+  for (const char* kind : {"town", "office", "foliage", "noise", "ramps", "stands"})
+    QTest::newRow(kind) << QString(kind);
 }
 
 }  // namespace
