@@ -61,8 +61,7 @@ class GridOfParts {
             width <= kNarrowGrid,
             width <= kSmallGrid,
             origin,
-            {},
-            0};
+            {}};
   }
   /// A place on the grid of the parts as one on the whole grid, where x and y are as many times larger.
   [[nodiscard]] Homogeneous<mpz_class> onWhole(const Homogeneous<FixedInteger>& place, const Grid& whole) const {

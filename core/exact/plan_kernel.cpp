@@ -44,7 +44,7 @@ template <class Integer>
 Homogeneous<Integer> homogeneousOn(const GridContext<Integer>& c, const PlanPoint& point) {
   if constexpr (std::is_same_v<Integer, FixedInteger>) {
     if (c.small && isMadeOfEdges(point)) {
-      const GridContext<__int128> few{c.mesh, c.heights, c.borders, c.gridExponent, true, true, c.origin, {}, 0};
+      const GridContext<__int128> few{c.mesh, c.heights, c.borders, c.gridExponent, true, true, c.origin, {}};
       const auto h = homogeneousOn(few, point);
       return {FixedInteger(h[0]), FixedInteger(h[1]), FixedInteger(h[2])};
     }
@@ -103,7 +103,7 @@ DoubleContext PlanKernel::doubleContext(Index origin) const { return {*mesh_, sc
 template <class Integer>
 GridContext<Integer> PlanKernel::gridContext(Index origin) const {
   const int width = grid_.width();
-  return {*mesh_, heights_, borders_, grid_.low, width <= kNarrowGrid, width <= kSmallGrid, origin, {}, 0};
+  return {*mesh_, heights_, borders_, grid_.low, width <= kNarrowGrid, width <= kSmallGrid, origin, {}};
 }
 
 template <class Evaluate>
@@ -458,11 +458,12 @@ Vec3 PlanKernel::roundedPosition(const PlanPoint& point, Index face, bool* exact
     for (const Index corner : corners)
       if (mesh_->planIds[corner] == point.planId()) return mesh_->vertices[corner];
   const auto x = knownCoordinate(point, 0), y = knownCoordinate(point, 1);
-  const auto isZero = [&](const ErrorDouble& component) {  // zero components are exactly zero
-    return sign_.zeroValid && component.value == 0 && component.error == 0;
-  };
-  const auto& normal = mesh_->normals[face];
-  if (x && y && isZero(normal[0]) && isZero(normal[1])) return {*x, *y, o.z};
+  const bool isLevel = mesh_->vertices[corners[1]].z == o.z && mesh_->vertices[corners[2]].z == o.z;
+  if (x && y && isLevel) return {*x, *y, o.z};
+  if (const auto place = placeByTwofolds(point, face, {x, y}, isLevel)) {
+    if (exact != nullptr) *exact = false;
+    return *place;
+  }
   GridOfParts parts(*this);
   parts.addTriangle(face);
   parts.addPoint(point);

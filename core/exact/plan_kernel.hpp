@@ -186,6 +186,11 @@ class PlanKernel {
   /// The edge is parallel to an axis, and the point is known to share the other coordinate with it.
   [[nodiscard]] bool isKnownAlong(const PlanLine& edge, const PlanPoint& point) const;
   [[nodiscard]] bool isKnownLevel(const PlanPoint& point, Index f, Index g) const;
+  /// roundedPosition() where doubles of twice the length decide all its digits, of a place that is no triple of
+  /// doubles. `known` are knownCoordinate()s; on a level face, z is that of its corners.
+  [[nodiscard]] std::optional<Vec3> placeByTwofolds(const PlanPoint& point, Index face,
+                                                    const std::array<std::optional<double>, 2>& known,
+                                                    bool isLevel) const;
 
   std::shared_ptr<const SourceMesh> mesh_;
   std::vector<double> heights_;

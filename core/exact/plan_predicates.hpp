@@ -38,6 +38,34 @@ struct DoubleContext {
   const std::array<T, 3>& normal(Index t) const { return mesh.normals[t]; }
 };
 
+/// The last two normals that were computed: lines on one face share its normal.
+template <class T>
+class LatestNormals {
+ public:
+  /// The reference stays valid until two further normals are computed.
+  template <class Context>
+  const std::array<T, 3>& of(const Context& c, Index t) {
+    if (normals_[latest_].triangle != t && normals_[latest_ ^= 1].triangle != t) normals_[latest_] = {t, compute(c, t)};
+    return normals_[latest_].normal;
+  }
+
+ private:
+  template <class Context>
+  static std::array<T, 3> compute(const Context& c, Index t) {
+    const auto& f = c.mesh.triangles[t];
+    const std::array<T, 3> u{c.difference(f[1], f[0], 0), c.difference(f[1], f[0], 1), c.difference(f[1], f[0], 2)};
+    const std::array<T, 3> v{c.difference(f[2], f[0], 0), c.difference(f[2], f[0], 1), c.difference(f[2], f[0], 2)};
+    return cross(u, v);
+  }
+
+  struct Normal {
+    Index triangle = -1;
+    std::array<T, 3> normal;
+  };
+  std::array<Normal, 2> normals_{};
+  int latest_ = 0;
+};
+
 /// Integer is FixedInteger where the grid is narrow enough for it, else mpz_class. Single points fit __int128 on grids
 /// of few bits (kSmallGrid).
 template <class Integer>
@@ -64,25 +92,9 @@ struct GridContext {
                              narrow);
   }
   T one() const { return T(1); }
-  /// The reference stays valid until two further normals are computed: the last two are kept, as lines on one face
-  /// share its normal.
-  const std::array<T, 3>& normal(Index t) const {
-    if (normals[latest].triangle != t && normals[latest ^= 1].triangle != t) normals[latest] = {t, computeNormal(t)};
-    return normals[latest].normal;
-  }
-  std::array<T, 3> computeNormal(Index t) const {
-    const auto& f = mesh.triangles[t];
-    const std::array<T, 3> u{difference(f[1], f[0], 0), difference(f[1], f[0], 1), difference(f[1], f[0], 2)};
-    const std::array<T, 3> v{difference(f[2], f[0], 0), difference(f[2], f[0], 1), difference(f[2], f[0], 2)};
-    return cross(u, v);
-  }
+  const std::array<T, 3>& normal(Index t) const { return normals.of(*this, t); }
 
-  struct Normal {
-    Index triangle = -1;
-    std::array<T, 3> normal;
-  };
-  mutable std::array<Normal, 2> normals{};
-  mutable int latest = 0;
+  mutable LatestNormals<T> normals{};
 };
 
 /// Up to this Grid::width() __int128 holds the coordinates of points that are made without traces: they have 4 D + 4

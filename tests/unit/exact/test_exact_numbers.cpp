@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "core/base/numbered_table.hpp"
+#include "core/exact/error_twofold.hpp"
 #include "core/exact/grid_integer.hpp"
 #include "core/exact/integer_triples.hpp"
 #include "core/exact/plan_kernel.hpp"
@@ -190,6 +191,50 @@ class TestExactNumbers : public QObject {
       QVERIFY(!lost);
       if (exponent == 0) QVERIFY(nearestDouble(value) == result);
     }
+  }
+
+  // The bound holds after sums, products and quotients of numbers near to and far from each other, and is small.
+  void twofolds() {
+    Random random(5);
+    const auto randomDouble = [&] {
+      const double digits = static_cast<double>(static_cast<std::int64_t>(random()) >> integer(random, 0, 60));
+      return std::ldexp(digits, integer(random, -80, 10));
+    };
+    const auto valueOf = [](const ErrorTwofold& x) { return mpq_class(mpq_class(x.high) + mpq_class(x.low)); };
+    int quotients = 0, tight = 0;
+    for (int round = 0; round < 3000; ++round) {
+      std::vector<ErrorTwofold> numbers;
+      std::vector<mpq_class> exact;
+      for (int i = 0; i < 3; ++i) {
+        const double a = randomDouble(), b = integer(random, 0, 1) == 0 ? 0 : randomDouble();
+        numbers.push_back(ErrorTwofold::sum(a, b));
+        exact.emplace_back(mpq_class(a) + mpq_class(b));
+        QVERIFY(valueOf(numbers.back()) == exact.back());
+      }
+      for (int step = 0; step < 8; ++step) {
+        const auto pick = [&] {
+          return static_cast<std::size_t>(integer(random, 0, static_cast<int>(exact.size()) - 1));
+        };
+        const std::size_t i = pick(), j = pick();
+        const int kind = integer(random, 0, 3);
+        if (kind == 3 && exact[j] == 0) continue;
+        const ErrorTwofold x = numbers[i], y = numbers[j];
+        const ErrorTwofold made = kind == 0 ? x + y : kind == 1 ? x - y : kind == 2 ? x * y : x / y;
+        if (!std::isfinite(made.error) || std::fabs(made.high) > 1e90 || std::fabs(made.high) < 1e-90) continue;
+        mpq_class value = exact[i];
+        if (kind == 0) value += exact[j];
+        if (kind == 1) value -= exact[j];
+        if (kind == 2) value *= exact[j];
+        if (kind == 3) value /= exact[j];
+        QVERIFY(abs(valueOf(made) - value) <= mpq_class(made.error));
+        QVERIFY(std::fabs(made.low) <= 0x1p-53 * std::fabs(made.high));
+        quotients += static_cast<int>(kind == 3);
+        tight += static_cast<int>(made.error <= 0x1p-95 * std::fabs(made.high));
+        numbers.push_back(made);
+        exact.push_back(value);
+      }
+    }
+    QVERIFY2(quotients > 1000 && tight > 10000, qPrintable(QString("%1 %2").arg(quotients).arg(tight)));
   }
 
   void triples() {
