@@ -260,14 +260,46 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled)
   return addPlanPlaces(mesh, scaled, {});
 }
 
+namespace {
+
+using PlaceKey = std::array<std::uint64_t, 2>;
+
+PlaceKey keyOf(const Vec3& p) { return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)}; }
+
+/// One bit for each hash of a place in the plan. Most places that are added are no vertices, and a bisection for each
+/// would read all over the memory.
+class PlaceBits {
+ public:
+  PlaceBits(std::span<const Vec3> vertices, const Poll& poll)
+      : bits_(std::bit_ceil(vertices.size() / 4 + 1)) {  // 16 to 32 bits for a vertex, of which one is set
+    for (std::size_t v = 0; v < vertices.size(); ++v) {
+      if (v % kPerTask == 0) poll();
+      const std::uint64_t hash = hashOf(vertices[v]);
+      bits_[wordOf(hash)] |= bitOf(hash);
+    }
+  }
+  /// False only where no vertex has these coordinates.
+  [[nodiscard]] bool mayHave(const Vec3& p) const {
+    const std::uint64_t hash = hashOf(p);
+    return (bits_[wordOf(hash)] & bitOf(hash)) != 0;
+  }
+
+ private:
+  static std::uint64_t hashOf(const Vec3& p) { return NumberedTable<PlaceKey>::hashOf(keyOf(p)); }
+  [[nodiscard]] std::size_t wordOf(std::uint64_t hash) const { return hash >> 22 & (bits_.size() - 1); }
+  static std::uint64_t bitOf(std::uint64_t hash) { return std::uint64_t{1} << (hash >> 16 & 63); }
+
+  std::vector<std::uint64_t> bits_;
+};
+
+}  // namespace
+
 std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled, const Poll& poll) {
   const PowerOfTwo inUnits(-mesh.grid.scaleExponent());
   const auto sorted = static_cast<std::ptrdiff_t>(mesh.vertices.size() - mesh.planPlaces);
-  using Key = std::array<std::uint64_t, 2>;
-  const auto keyOf = [](const Vec3& p) {
-    return Key{std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)};
-  };
-  NumberedTable<Key> known;
+  const PlaceBits vertexBits({mesh.vertices.data(), static_cast<std::size_t>(sorted)}, poll);
+  NumberedTable<PlaceKey> known;
+  known.reserve(mesh.planPlaces + scaled.size());
   std::vector<Index> idOf;  // vertex at each known place
   for (std::size_t v = mesh.vertices.size() - mesh.planPlaces; v < mesh.vertices.size(); ++v)
     if (known.insert(keyOf(mesh.vertices[v])).second) idOf.push_back(static_cast<Index>(v));
@@ -281,7 +313,9 @@ std::vector<Index> addPlanPlaces(SourceMesh& mesh, std::span<const Vec3> scaled,
     const Vec3 p = withoutNegativeZeros({inUnits(given.x), inUnits(given.y), inUnits(given.z)});
     const auto next = static_cast<Index>(mesh.vertices.size());
     const auto [number, isNew] = known.insert(keyOf(p));
-    if (isNew) {
+    if (isNew && !vertexBits.mayHave(p)) {
+      idOf.push_back(next);
+    } else if (isNew) {
       const auto last = mesh.vertices.begin() + sorted;
       const auto first = std::lower_bound(mesh.vertices.begin(), last, p, [](const Vec3& a, const Vec3& b) {
         return Place{a.x, a.y} < Place{b.x, b.y};
