@@ -69,9 +69,9 @@ class BeamTracer {
     for (const Index side : {MarginSurface::nextSide(entry.side), MarginSurface::previousSide(entry.side)}) {
       if (surface_.isBorder(side)) continue;
       const PlanVector a = surface_.begin(side), b = surface_.end(side);
-      if (!view.isNear(a, b, entry.low, entry.high)) continue;
-      const auto [first, last] = view.range(a, b, entry.low - view.touch);
-      const double low = std::max(first, entry.low), high = std::min(last, entry.high);
+      const std::optional<Range> range = view.rangeIfNear(a, b, {entry.low, entry.high});
+      if (!range) continue;
+      const double low = std::max(range->low, entry.low), high = std::min(range->high, entry.high);
       if (low > high + view.touch) continue;
       const bool exits = view.exits(a, b);
       for (const Index other : surface_.beyond(side)) {

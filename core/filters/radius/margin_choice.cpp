@@ -40,6 +40,13 @@ void keepPositive(Stretch& stretch, double first, double last, double hair) {
 
 }  // namespace
 
+MarginChoice::Bounds::Bounds(Outline places) : low(places.front()), high(places.front()) {
+  for (const PlanVector& p : places.subspan(1)) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+}
+
 MarginChoice::Stretch MarginChoice::part(Outline outline, const PlanVector& from, const PlanVector& to, int doubt) {
   Stretch stretch;
   const PlanVector* a = &outline.back();
@@ -53,10 +60,10 @@ MarginChoice::Stretch MarginChoice::part(Outline outline, const PlanVector& from
 }
 
 // False where the margin and the face are apart for certain.
-bool MarginChoice::add(Index margin) {
-  Candidate& candidate = candidates_.emplace_back();
-  candidate.margin = margin;
-  candidate.outline = margins_[margin].corners;
+bool MarginChoice::add(Index margin, const Bounds& face) {
+  const Bounds bounds(margins_[margin].corners);
+  if (bounds.isApartFrom(face)) return false;
+  Candidate& candidate = candidates_.emplace_back(Candidate{margin, margins_[margin].corners, bounds, true, {}, {}});
   const PlanVector* a = &candidate.outline.back();
   for (const PlanVector& b : candidate.outline) {
     std::array<Offset, 3> at;
@@ -118,8 +125,10 @@ bool MarginChoice::isFaceEdgeCovered(int k, const Stretch& stretch, const Candid
 bool MarginChoice::areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
                               const Candidate* first, const Candidate* second) const {
   stretches_.clear();
+  const Bounds bounds(std::array{from, to});
   for (const Candidate& candidate : candidates_) {
-    if (!candidate.isNeeded || &candidate == first || &candidate == second) continue;
+    if (!candidate.isNeeded || &candidate == first || &candidate == second || candidate.bounds.isApartFrom(bounds))
+      continue;
     const Stretch inside = insideOf(candidate.outline, from, to);
     if (inside.begin <= stretch.begin && inside.end >= stretch.end) return true;
     if (!inside.isEmpty()) stretches_.push_back(inside);
@@ -147,7 +156,8 @@ bool MarginChoice::isCovered(const Candidate* except) const {
   };
   if (except != nullptr && !isOutlineCovered(*except)) return false;
   return std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-    return !candidate.isNeeded || &candidate == except || isOutlineCovered(candidate);
+    return !candidate.isNeeded || &candidate == except ||
+           (except != nullptr && candidate.bounds.isApartFrom(except->bounds)) || isOutlineCovered(candidate);
   });
 }
 
@@ -155,8 +165,9 @@ MarginChoice::Result MarginChoice::chooseOn(const std::array<PlanVector, 3>& cor
   face_ = corners;
   candidates_.clear();
   needed_.clear();
+  const Bounds face(face_);
   for (const Index number : numbers)
-    if (add(number) && holdsFace(candidates_.back())) return {true, {}};
+    if (add(number, face) && holdsFace(candidates_.back())) return {true, {}};
   if (isCovered(nullptr)) return {true, {}};
   if (candidates_.size() > 1)
     for (Candidate& candidate : candidates_)

@@ -36,14 +36,23 @@ class MarginChoice {
     [[nodiscard]] bool isWhole() const { return begin <= 0 && end >= 1; }
   };
   using Outline = std::span<const PlanVector>;  ///< outline of a convex polygon, counter-clockwise
+  struct Bounds {
+    PlanVector low, high;
+    explicit Bounds(Outline places);
+    /// True when nothing is in both.
+    [[nodiscard]] bool isApartFrom(const Bounds& other) const {
+      return high.x < other.low.x || other.high.x < low.x || high.y < other.low.y || other.high.y < low.y;
+    }
+  };
   struct Candidate {
     Index margin = -1;
     Outline outline;
+    Bounds bounds;
     bool isNeeded = true;
     std::array<Stretch, 3> onEdges, maybeOnEdges;  ///< stretches of the face's edges that are inside for certain, or
                                                    ///< may be
   };
-  bool add(Index margin);
+  bool add(Index margin, const Bounds& face);
   /// A convex polygon holds a triangle when it holds its outline.
   static bool holdsFace(const Candidate& c) {
     return c.onEdges[0].isWhole() && c.onEdges[1].isWhole() && c.onEdges[2].isWhole();

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <tuple>
 #include <vector>
 
 #include "core/base/numbered_table.hpp"
@@ -13,6 +15,11 @@
 
 namespace footfall::detail {
 
+/// A part of what beams pass through.
+struct Range {
+  double low = 0, high = 0;
+};
+
 /// Beams from an edge, at a right angle to it.
 struct Beams {
   PlanVector origin, along;
@@ -20,11 +27,8 @@ struct Beams {
   double touch = MarginSurface::kSlack;
   [[nodiscard]] double at(const PlanVector& p) const { return dot(p - origin, along); }
   [[nodiscard]] bool exits(const PlanVector& a, const PlanVector& b) const { return at(b) < at(a) + touch; }
-  [[nodiscard]] std::array<double, 2> range(const PlanVector& a, const PlanVector& b, double /*lowest*/) const {
-    return {std::min(at(a), at(b)), std::max(at(a), at(b))};
-  }
-  // True for the part of a side between two beams.
-  [[nodiscard]] bool isNear(const PlanVector& a, const PlanVector& b, double low, double high) const {
+  // Empty where the part of a side between two beams is not near.
+  [[nodiscard]] std::optional<Range> rangeIfNear(const PlanVector& a, const PlanVector& b, const Range& beams) const {
     const PlanVector out = leftOf(along);
     const double atA = at(a), atB = at(b), outA = dot(a - origin, out), outB = dot(b - origin, out);
     double first = outA, last = outB;
@@ -32,18 +36,20 @@ struct Beams {
       const auto outAt = [&](double where) {
         return outA + std::clamp((where - atA) / (atB - atA), 0.0, 1.0) * (outB - outA);
       };
-      first = outAt(low - touch);
-      last = outAt(high + touch);
+      first = outAt(beams.low - touch);
+      last = outAt(beams.high + touch);
     }
-    return std::min(first, last) < reach && std::max(first, last) > -touch;
+    if (!(std::min(first, last) < reach && std::max(first, last) > -touch)) return std::nullopt;
+    return Range{std::min(atA, atB), std::max(atA, atB)};
   }
 };
 
-inline double distanceToSegment(const PlanVector& p, const PlanVector& a, const PlanVector& b) {
+inline PlanVector nearestOnSegment(const PlanVector& p, const PlanVector& a, const PlanVector& b) {
   const PlanVector d = b - a;
-  const double square = dot(d, d);
-  const double t = square > 0 ? std::clamp(dot(p - a, d) / square, 0.0, 1.0) : 0;
-  return length(p - (a + t * d));
+  const double square = dot(d, d), at = dot(p - a, d);
+  // The same as a quotient that is clamped.
+  const double t = !(at > 0) ? 0 : at >= square ? 1 : at / square;
+  return a + t * d;
 }
 
 /// Beams from a place.
@@ -57,17 +63,18 @@ struct Rays {
   [[nodiscard]] bool exits(const PlanVector& a, const PlanVector& b) const {
     const PlanVector p = a - apex, q = b - apex;
     if ((p.x == 0 && p.y == 0) || (q.x == 0 && q.y == 0)) return false;
-    return cross(p, q) > -MarginSurface::kShort * length(q - p);
+    const double area = cross(p, q);
+    return area > 0 || area > -MarginSurface::kShort * length(q - p);
   }
-  // The one of the two ranges that ends behind `lowest`, when a side goes behind the apex.
-  [[nodiscard]] std::array<double, 2> range(const PlanVector& a, const PlanVector& b, double lowest) const {
-    if (distanceToSegment(apex, a, b) < MarginSurface::kShort) return {-2, 2};
+  // Empty where a side is not near. The one of the two ranges that ends behind the lowest beam, when a side goes behind
+  // the apex.
+  [[nodiscard]] std::optional<Range> rangeIfNear(const PlanVector& a, const PlanVector& b, const Range& beams) const {
+    const double distance = length(apex - nearestOnSegment(apex, a, b));
+    if (!(distance < reach)) return std::nullopt;
+    if (distance < MarginSurface::kShort) return Range{-2, 2};
     const double first = at(a), last = at(b);
-    if (first <= last) return {first, last};
-    return last >= lowest ? std::array{first - 4, last} : std::array{first, last + 4};
-  }
-  [[nodiscard]] bool isNear(const PlanVector& a, const PlanVector& b, double /*low*/, double /*high*/) const {
-    return distanceToSegment(apex, a, b) < reach;
+    if (first <= last) return Range{first, last};
+    return last >= beams.low - touch ? Range{first - 4, last} : Range{first, last + 4};
   }
 };
 
@@ -79,7 +86,7 @@ class Spread {
 
   void start() { found_.clear(); }
   void start(const std::vector<Index>& known) { found_ = known; }
-  void enter(Index side, double low, double high) { stack_.push_back({side, low, high}); }
+  void enter(Index side, double low, double high) { stack_.push_back({side, {low, high}}); }
   template <class View>
   void run(const View& view) {
     seen_.clear();
@@ -99,21 +106,23 @@ class Spread {
  private:
   struct Entry {
     Index side = -1;
-    double low = 0, high = 0;
+    Range beams;
   };
 
   template <class View>
   void visit(const Entry& entry, const View& view) {
     found_.push_back(entry.side / 3);
-    for (const Index side :
-         {MarginSurface::nextSide(entry.side), MarginSurface::previousSide(entry.side), entry.side}) {
+    const Index next = MarginSurface::nextSide(entry.side), previous = MarginSurface::previousSide(entry.side);
+    const PlanVector entryBegin = surface_.begin(entry.side), entryEnd = surface_.begin(next),
+                     tip = surface_.begin(previous);
+    for (const auto& [side, a, b] : {std::tie(next, entryEnd, tip), std::tie(previous, tip, entryBegin),
+                                     std::tie(entry.side, entryBegin, entryEnd)}) {
       if (surface_.isBorder(side)) continue;
-      const PlanVector a = surface_.begin(side), b = surface_.end(side);
       const bool exits = side != entry.side && view.exits(a, b);
       if (!exits && !surface_.hasLink(side)) continue;
-      if (!view.isNear(a, b, entry.low, entry.high)) continue;
-      const auto [first, last] = view.range(a, b, entry.low - view.touch);
-      const double low = std::max(first, entry.low), high = std::min(last, entry.high);
+      const std::optional<Range> range = view.rangeIfNear(a, b, entry.beams);
+      if (!range) continue;
+      const double low = std::max(range->low, entry.beams.low), high = std::min(range->high, entry.beams.high);
       if (low > high + view.touch) continue;
       if (!exits) {
         // Both borders of a link are divided at the same places.
@@ -124,11 +133,10 @@ class Spread {
       for (const Index other : surface_.beyond(side)) {
         const auto [number, isNew] = seen_.insert(other);
         if (isNew) ranges_.push_back({low, high});
-        auto& [seenLow, seenHigh] = ranges_[number];
-        if (!isNew && seenLow <= low && high <= seenHigh) continue;
-        seenLow = std::min(seenLow, low);
-        seenHigh = std::max(seenHigh, high);
-        stack_.push_back({other, low, high});
+        Range& seen = ranges_[number];
+        if (!isNew && seen.low <= low && high <= seen.high) continue;
+        seen = {std::min(seen.low, low), std::max(seen.high, high)};
+        stack_.push_back({other, {low, high}});
       }
     }
   }
@@ -137,9 +145,9 @@ class Spread {
   Poll poll_;
   std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
-  NumberedTable<Index> seen_;                  ///< sides that were entered
-  std::vector<std::array<double, 2>> ranges_;  ///< ranges of each of them
-  std::vector<Index> found_;                   ///< triangles
+  NumberedTable<Index> seen_;  ///< sides that were entered
+  std::vector<Range> ranges_;  ///< ranges of each of them
+  std::vector<Index> found_;   ///< triangles
 };
 
 }  // namespace footfall::detail
