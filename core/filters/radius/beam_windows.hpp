@@ -28,6 +28,7 @@ class BeamTracer {
   void start() {
     windows_.clear();
     seen_.clear();
+    lastRange_.clear();
     ranges_.clear();
   }
   void enter(Index side, double low, double high) { stack_.push_back({side, low, high}); }
@@ -85,20 +86,28 @@ class BeamTracer {
 
   bool isNew(Index side, double low, double high, double touch) {
     const auto [number, isFirst] = seen_.insert(side);
-    if (isFirst) ranges_.emplace_back();
-    auto& ranges = ranges_[static_cast<std::size_t>(number)];
-    for (const auto& [first, last] : ranges)
-      if (first - touch <= low && high <= last + touch) return false;
-    ranges.push_back({low, high});
+    if (isFirst) lastRange_.push_back(-1);
+    Index& last = lastRange_[static_cast<std::size_t>(number)];
+    for (Index i = last; i >= 0; i = ranges_[i].before)
+      if (ranges_[i].low - touch <= low && high <= ranges_[i].high + touch) return false;
+    ranges_.push_back({low, high, last});
+    last = static_cast<Index>(ranges_.size()) - 1;
     return true;
   }
+
+  /// A range in which a side was entered.
+  struct EnteredRange {
+    double low = 0, high = 0;
+    Index before = -1;  ///< the range of the same side before it
+  };
 
   const MarginSurface& surface_;
   Poll poll_;
   std::uint32_t visited_ = 0;
   std::vector<Entry> stack_;
-  NumberedTable<Index> seen_;                               ///< sides that were entered
-  std::vector<std::vector<std::array<double, 2>>> ranges_;  ///< ranges of each of them
+  NumberedTable<Index> seen_;     ///< sides that were entered
+  std::vector<Index> lastRange_;  ///< of each of them, in ranges_
+  std::vector<EnteredRange> ranges_;
   std::vector<BeamWindow> windows_;
 };
 

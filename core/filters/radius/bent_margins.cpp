@@ -29,7 +29,15 @@ struct HalfPlane {
 };
 
 void clip(std::vector<PlanVector>& corners, const HalfPlane& half) {
+  std::size_t inside = 0;
+  for (const PlanVector& p : corners) inside += half.inside(p) >= 0 ? 1 : 0;
+  if (inside == corners.size()) return;
+  if (inside == 0) {
+    corners.clear();
+    return;
+  }
   std::vector<PlanVector> kept;
+  kept.reserve(corners.size() + 2);
   for (std::size_t i = 0; i < corners.size(); ++i) {
     const PlanVector &p = corners[i], &q = corners[(i + 1) % corners.size()];
     const double a = half.inside(p), b = half.inside(q);
@@ -324,13 +332,16 @@ template <class View>
 void BentMargins::addPieces(const Polygon& polygon, const View& view, BeamTracer& tracer, Found& found) const {
   std::map<std::pair<double, double>, std::vector<Index>> pieces;  // triangles, by the first and the last beam
   const std::vector<BeamWindow>& windows = tracer.join(polygon.joint);
+  std::vector<HalfPlane> halves;
+  halves.reserve(polygon.corners.size());
+  for (std::size_t k = 0; k < polygon.corners.size(); ++k)
+    halves.push_back(leftOfEdge(polygon.corners[k], polygon.corners[(k + 1) % polygon.corners.size()]));
+  std::vector<PlanVector> part;
   for (std::size_t i = 0, next = 0; i < windows.size(); i = next) {
     const Index triangle = windows[i].triangle;
     while (next < windows.size() && windows[next].triangle == triangle) ++next;
-    std::vector<PlanVector> part{surface_.begin(3 * triangle), surface_.begin(3 * triangle + 1),
-                                 surface_.begin(3 * triangle + 2)};
-    for (std::size_t k = 0; k < polygon.corners.size() && !part.empty(); ++k)
-      clip(part, leftOfEdge(polygon.corners[k], polygon.corners[(k + 1) % polygon.corners.size()]));
+    part = {surface_.begin(3 * triangle), surface_.begin(3 * triangle + 1), surface_.begin(3 * triangle + 2)};
+    for (std::size_t k = 0; k < halves.size() && !part.empty(); ++k) clip(part, halves[k]);
     double low = kInfinity, high = -kInfinity;
     for (const PlanVector& p : part) {
       if (!hasBeam(view, p, 4 * polygon.slack)) continue;
