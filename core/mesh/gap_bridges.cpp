@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
-#include <set>
 
 #include "core/exact/source_predicates.hpp"
 
@@ -18,6 +18,43 @@ bool isSamePlace(const Vec3& a, const Vec3& b) { return a.x == b.x && a.y == b.y
 bool meetsAt(const StepLink& link, std::span<const Vec3> vertices, int end) {
   return isSamePlace(vertices[link.from[end]], vertices[link.to[1 - end]]);
 }
+
+/// The edges of gaps that a step leads on from, or that have a bridge.
+class TakenEdges {
+ public:
+  explicit TakenEdges(const NavigationMesh& mesh) : hasGap_(mesh.vertices.size(), 0) {
+    for (const StepLink& link : mesh.links) {
+      if (link.kind != StepKind::Gap) continue;
+      edges_.push_back(link.from);
+      edges_.push_back(link.to);
+      hasGap_[link.from[0]] = hasGap_[link.to[0]] = 1;
+    }
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+    isTaken_.assign(edges_.size(), 0);
+  }
+
+  void take(const StepLink& link) {
+    for (const Edge& edge : {link.from, link.to})
+      if (const std::size_t place = placeOf(edge); place < edges_.size()) isTaken_[place] = 1;
+  }
+  [[nodiscard]] bool hasEither(const StepLink& link) const {
+    return isTaken_[placeOf(link.from)] != 0 || isTaken_[placeOf(link.to)] != 0;
+  }
+
+ private:
+  using Edge = std::array<std::uint32_t, 2>;
+  /// The place among the edges of gaps, or their number.
+  [[nodiscard]] std::size_t placeOf(const Edge& edge) const {
+    if (hasGap_[edge[0]] == 0) return edges_.size();
+    const auto place = std::lower_bound(edges_.begin(), edges_.end(), edge);
+    return place != edges_.end() && *place == edge ? static_cast<std::size_t>(place - edges_.begin()) : edges_.size();
+  }
+
+  std::vector<char> hasGap_;  ///< of each vertex: an edge of a gap begins there
+  std::vector<Edge> edges_;
+  std::vector<char> isTaken_;
+};
 
 }  // namespace
 
@@ -51,22 +88,21 @@ double widthOf(const StepLink& link, std::span<const Vec3> vertices) {
 
 NavigationMesh withBridges(const NavigationMesh& mesh) {
   NavigationMesh bridged = mesh;
-  using Edge = std::array<std::uint32_t, 2>;
-  std::set<Edge> taken;
+  TakenEdges taken(mesh);
   for (const StepLink& link : mesh.links)
-    if (link.kind == StepKind::Step) taken.insert({link.from, link.to});
+    if (link.kind == StepKind::Step) taken.take(link);
   for (const StepLink& link : mesh.links) {
-    if (link.kind != StepKind::Gap || taken.contains(link.from) || taken.contains(link.to)) continue;
+    if (link.kind != StepKind::Gap || taken.hasEither(link)) continue;
     const std::vector<Triangle> bridge = bridgeOver(link, mesh.vertices);
     if (bridge.empty()) continue;
-    taken.insert({link.from, link.to});
+    taken.take(link);
     const auto first = static_cast<std::uint32_t>(bridged.triangles.size());
     for (const Triangle& triangle : bridge) {
       bridged.triangles.push_back(triangle);
       bridged.sourceTriangles.push_back(mesh.sourceTriangles.empty() ? 0 : mesh.sourceTriangles[link.fromTriangle]);
       if (!mesh.layers.empty()) bridged.layers.push_back(mesh.layers[link.fromTriangle]);
     }
-    const auto addStep = [&](const Edge& from) {
+    const auto addStep = [&](const std::array<std::uint32_t, 2>& from) {
       if (from[0] == link.to[1] && from[1] == link.to[0]) return;
       bridged.links.push_back({from, link.to, first, link.toTriangle, link.height});
     };

@@ -33,6 +33,9 @@ struct SurfaceTopology {
   std::vector<std::uint32_t> components;   ///< component of each triangle, numbered from 0 in the order of their first
                                            ///< triangles
   std::uint32_t componentCount = 0;
+  /// For each side the number of the same side in the neighbour, with kStep where a step leads there.
+  std::vector<std::array<std::uint8_t, 3>> across;
+  static constexpr std::uint8_t kStep = 4;
 
   /// The side of `neighbours[triangle][side]` that is this one.
   [[nodiscard]] int sideBehind(std::uint32_t triangle, int side) const {
@@ -47,5 +50,13 @@ inline constexpr std::uint32_t kNoElement = SurfaceTopology::kNone;
 
 /// Finds neighbours, fans and components in the time of findEdges(). `poll` is called now and then and may throw.
 SurfaceTopology makeSurfaceTopology(const NavigationMesh& mesh, Poll poll = {});
+
+struct SurfaceRelation;
+
+/// The topology of `mesh`, as makeSurfaceTopology() gives it, from that of an earlier mesh: neighbours are looked for
+/// only around triangles that both do not have.
+SurfaceTopology followSurfaceTopology(const NavigationMesh& mesh, const SurfaceTopology& before,
+                                      const NavigationMesh& meshBefore, const SurfaceRelation& relation,
+                                      Poll poll = {});
 
 }  // namespace footfall::detail

@@ -211,6 +211,9 @@ std::string describeFailure(const PathResult& result) {
 PathFinder::PathFinder(std::shared_ptr<const NavigationMesh> mesh, const RunContext* context)
     : inside_(std::make_shared<const PathGround>(std::move(mesh), context)) {}
 
+PathFinder::PathFinder(std::shared_ptr<const NavigationMesh> mesh, const PathFinder& before, const RunContext* context)
+    : inside_(std::make_shared<const PathGround>(std::move(mesh), *before.inside_, context)) {}
+
 PathFinder::~PathFinder() = default;
 
 const NavigationMesh& PathFinder::mesh() const { return *inside_->mesh; }

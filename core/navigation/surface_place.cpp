@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "core/base/infinity.hpp"
@@ -12,6 +15,9 @@
 
 namespace footfall::detail {
 namespace {
+
+// A tree is made anew once this part of the triangles, or more, changed since it was made: one of so many.
+constexpr std::size_t kMostChanged = 4;
 
 std::array<Vec3, 3> cornersOf(const NavigationMesh& mesh, std::uint32_t t) {
   const Triangle& f = mesh.triangles[t];
@@ -68,15 +74,14 @@ Vec3 moveInside(const std::array<Vec3, 3>& f, Vec3 p) {
   });
 }
 
-double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
-
-}  // namespace
-
-PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, Poll poll)
-    : mesh_(mesh), topology_(topology) {
+/// Leaves out triangles that do not face up.
+void buildTree(const NavigationMesh& mesh, const SurfaceTopology& topology, std::span<const std::uint32_t> triangles,
+               TriangleTree& tree, Poll poll) {
   std::vector<Box> boxes;
   std::vector<std::int32_t> ids;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+  boxes.reserve(triangles.size());
+  ids.reserve(triangles.size());
+  for (const std::uint32_t t : triangles) {
     if (topology.components[t] == SurfaceTopology::kNone) continue;
     const auto f = cornersOf(mesh, t);
     const auto [x0, x1] = std::minmax({f[0].x, f[1].x, f[2].x});
@@ -85,23 +90,81 @@ PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topolo
     boxes.push_back({{x0, y0, z0}, {x1, y1, z1}});
     ids.push_back(static_cast<std::int32_t>(t));
   }
-  if (!boxes.empty()) tree_.build(boxes, ids, poll);
+  if (!boxes.empty()) tree.build(boxes, ids, poll);
+}
+
+double distance(const Vec3& a, const Vec3& b) { return std::hypot(a.x - b.x, a.y - b.y, a.z - b.z); }
+
+}  // namespace
+
+PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, Poll poll)
+    : mesh_(mesh), topology_(topology) {
+  build(poll);
+}
+
+PlaceIndex::PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, const PlaceIndex& before,
+                       const SurfaceRelation& relation, Poll poll)
+    : mesh_(mesh), topology_(topology), tree_(before.tree_) {
+  const std::size_t then = before.mesh_.triangles.size(), count = mesh.triangles.size();
+  const bool isFirst = before.numberNow_.empty();
+  numberNow_.assign(isFirst ? then : before.numberNow_.size(), kNoElement);
+  std::vector<char> isInTree(count, 0);
+  std::size_t gone = 0;
+  for (std::size_t id = 0; id < numberNow_.size(); ++id) {
+    const std::size_t old = isFirst ? id : before.numberNow_[id];
+    const std::uint32_t now = old < then ? relation.triangleNow[old] : kNoElement;
+    // Triangles behind those of the mesh are bridges, which are no places.
+    if (now < count) {
+      numberNow_[id] = now;
+      isInTree[now] = 1;
+    } else {
+      ++gone;
+    }
+  }
+  std::vector<std::uint32_t> others;
+  for (std::uint32_t t = 0; t < count; ++t)
+    if (isInTree[t] == 0) others.push_back(t);
+  if ((gone + others.size()) * kMostChanged > count) {
+    numberNow_.clear();
+    build(poll);
+    return;
+  }
+  buildTree(mesh_, topology_, others, added_, poll);
+}
+
+void PlaceIndex::build(Poll poll) {
+  std::vector<std::uint32_t> all(mesh_.triangles.size());
+  std::iota(all.begin(), all.end(), 0);
+  auto tree = std::make_shared<TriangleTree>();
+  buildTree(mesh_, topology_, all, *tree, poll);
+  tree_ = std::move(tree);
+}
+
+template <class Visit>
+void PlaceIndex::visitAt(const Vec3& p, const Visit& visit) const {
+  std::vector<std::int32_t> stack;
+  const Box query{{p.x, p.y, -kInfinity}, {p.x, p.y, kInfinity}};
+  tree_->visitOverlapping(query, stack, [&](std::int32_t id) {
+    const std::uint32_t t = numberNow_.empty() ? static_cast<std::uint32_t>(id) : numberNow_[id];
+    if (t != kNoElement) visit(t);
+    return true;
+  });
+  added_.visitOverlapping(query, stack, [&](std::int32_t id) {
+    visit(static_cast<std::uint32_t>(id));
+    return true;
+  });
 }
 
 std::optional<SurfacePlace> PlaceIndex::locate(const Vec3& p, double reach) const {
   std::optional<SurfacePlace> best;
-  std::vector<std::int32_t> stack;
-  const Box query{{p.x, p.y, -kInfinity}, {p.x, p.y, kInfinity}};
-  tree_.visitOverlapping(query, stack, [&](std::int32_t id) {
-    const auto t = static_cast<std::uint32_t>(id);
+  visitAt(p, [&](std::uint32_t t) {
     const auto f = cornersOf(mesh_, t);
-    if (!containsInPlan(f, p)) return true;
+    if (!containsInPlan(f, p)) return;
     const double z = heightAt(f, p);
     const double apart = std::fabs(z - p.z);
-    if (apart > reach) return true;
+    if (apart > reach) return;
     if (!best || apart < best->distance || (apart == best->distance && t < best->triangle))
       best = SurfacePlace{{p.x, p.y, z}, t, apart};
-    return true;
   });
   return best;
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/poll.hpp"
 #include "core/base/triangle_tree.hpp"
+#include "core/mesh/surface_relation.hpp"
 #include "core/mesh/surface_topology.hpp"
 #include "footfall/navigation_mesh.hpp"
 #include "footfall/path.hpp"
@@ -18,6 +21,9 @@ namespace footfall::detail {
 class PlaceIndex {
  public:
   PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, Poll poll = {});
+  /// An index that gives the same answers, with the tree of an earlier one where few triangles changed.
+  PlaceIndex(const NavigationMesh& mesh, const SurfaceTopology& topology, const PlaceIndex& before,
+             const SurfaceRelation& relation, Poll poll = {});
 
   /// The walkable place straight above or below `p` that is nearest to it, when it is no farther than `reach`; the
   /// first triangle where two are equally near. Which triangles lie there is decided exactly.
@@ -35,9 +41,17 @@ class PlaceIndex {
   [[nodiscard]] SurfacePlace placeInside(const Vec3& p, std::uint32_t triangle) const;
 
  private:
+  void build(Poll poll);
+  /// Calls visit(triangle) for each triangle that may lie over or under a place, and perhaps for others.
+  template <class Visit>
+  void visitAt(const Vec3& p, const Visit& visit) const;
+
   const NavigationMesh& mesh_;
   const SurfaceTopology& topology_;
-  TriangleTree tree_;
+  std::shared_ptr<const TriangleTree> tree_;
+  /// The number of each triangle of the tree in the mesh now, or kNoElement; empty where no number changed.
+  std::vector<std::uint32_t> numberNow_;
+  TriangleTree added_;  ///< triangles that are not in the tree
 };
 
 }  // namespace footfall::detail

@@ -2,6 +2,7 @@
 #include "tests/bench/edit_measurement.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <random>
 #include <stdexcept>
@@ -63,7 +64,8 @@ class Crate {
     names_.push_back("edit");
     names_.push_back("start");
     for (const StepStatistics& step : first.steps) names_.push_back(step.name);
-    names_.insert(names_.end(), {"navigation mesh", "path finder"});
+    names_.insert(names_.end(), {"navigation mesh", "path finder", "new path finder"});
+    finder_ = std::make_unique<const PathFinder>(first.mesh);
     std::vector<double> sums(names_.size(), 0);
     EditableEnvironment editable(environment_);
     std::mt19937 random(1);
@@ -107,14 +109,18 @@ class Crate {
       if (event.kind == RunEvent::Kind::StepFinished) lap();
     });
     lap();
-    const PathFinder finder(result.mesh);
+    auto finder = std::make_unique<const PathFinder>(result.mesh, *finder_);
+    lap();
+    finder_ = std::move(finder);
+    mark = processCpuMs();
+    const PathFinder anew(result.mesh);
     lap();
     return times;
   }
 
   [[nodiscard]] Json figures(const std::vector<double>& sums) const {
     Json json{{"triangles", environment_->triangles.size()}, {"threads", threads_}};
-    const std::size_t last = sums.size() - 1;
+    const std::size_t last = sums.size() - 2;
     json["edit_ms"] = sums[0] / kPlaces;
     json["start_ms"] = sums[1] / kPlaces;
     json["steps"] = Json::array();
@@ -125,6 +131,7 @@ class Crate {
     for (std::size_t part = 0; part < last; ++part) whole += sums[part] / kPlaces;
     json["whole_ms"] = whole;
     json["path_finder_ms"] = sums[last] / kPlaces;
+    json["new_path_finder_ms"] = sums[last + 1] / kPlaces;
     return json;
   }
 
@@ -134,6 +141,7 @@ class Crate {
   Pipeline pipeline_;
   ResultCache cache_;
   std::vector<std::string> names_;
+  std::unique_ptr<const PathFinder> finder_;  // of the last result
 };
 
 std::string stepText(const Json& entry, const std::string& name) {
@@ -157,7 +165,7 @@ std::string formatCrates(const Json& results) {
                                                                  {"LayerSubdivisionFilter", "layers"}};
   std::vector<std::string> header{"environment", "triangles", "edit", "start"};
   for (const auto& [filter, heading] : columns) header.push_back(heading);
-  header.insert(header.end(), {"navigation mesh", "whole", "path finder"});
+  header.insert(header.end(), {"navigation mesh", "whole", "path finder", "new path finder"});
   Table table(header);
   std::string failures;
   for (const Json& entry : results["crates"]) {
@@ -169,7 +177,7 @@ std::string formatCrates(const Json& results) {
     std::vector<std::string> row{name, grouped(entry["triangles"]), number(entry["edit_ms"]),
                                  number(entry["start_ms"])};
     for (const auto& [filter, heading] : columns) row.push_back(stepText(entry, filter));
-    for (const char* figure : {"navigation_mesh_ms", "whole_ms", "path_finder_ms"})
+    for (const char* figure : {"navigation_mesh_ms", "whole_ms", "path_finder_ms", "new_path_finder_ms"})
       row.push_back(number(entry[figure]));
     table.addRow(row);
   }

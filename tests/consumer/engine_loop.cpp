@@ -30,6 +30,8 @@ using Clock = std::chrono::steady_clock;
 struct Ground {
   Ground(const RunResult& run, const RunContext& context, std::size_t edits)
       : finder(run.mesh, &context), edits(edits) {}
+  Ground(const RunResult& run, const Ground& before, const RunContext& context, std::size_t edits)
+      : finder(run.mesh, before.finder, &context), edits(edits) {}
   PathFinder finder;  // finder.mesh() is the walkable area
   std::size_t edits;  // how many edits it has
 };
@@ -89,7 +91,9 @@ class LiveGround {
       try {
         apply(*edits);
         const RunResult run = runPipeline(level_.environment(), pipeline_, *running_, &cache_, threads_);
-        auto ground = std::make_shared<const Ground>(run, *running_, done_);
+        // Only this thread changes newest_.
+        auto ground = newest_ ? std::make_shared<const Ground>(run, *newest_, *running_, done_)
+                              : std::make_shared<const Ground>(run, *running_, done_);
         const std::lock_guard lock(mutex_);
         newest_ = std::move(ground);
       } catch (const Cancelled&) {
