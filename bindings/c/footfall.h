@@ -352,6 +352,11 @@ typedef struct footfall_barrier {
 /* Prepared once for a result, then asked as often as one likes. */
 FOOTFALL_API footfall_status footfall_make_path_finder(const footfall_result* result, footfall_context* context,
                                                        footfall_path_finder** finder);
+/* The same finder in a fraction of the time, for a result after an edit: what the edit left as it was is taken from
+ * `before`, the finder of the result before it. It stays yours, and may be freed. */
+FOOTFALL_API footfall_status footfall_follow_path_finder(const footfall_result* result,
+                                                         const footfall_path_finder* before, footfall_context* context,
+                                                         footfall_path_finder** finder);
 /* The shortest path in the plan between the walkable places straight above or below two points (x, y, z). Where both
  * are not connected, what keeps them apart is looked for too. That there is no path is no error. */
 FOOTFALL_API footfall_status footfall_find_path(const footfall_path_finder* finder, const double from[3],

@@ -85,6 +85,17 @@ footfall_status footfall_make_path_finder(const footfall_result* result, footfal
   });
 }
 
+footfall_status footfall_follow_path_finder(const footfall_result* result, const footfall_path_finder* before,
+                                            footfall_context* context, footfall_path_finder** finder) {
+  return guarded(__func__, [&] {
+    given(result, "result");
+    given(before, "before");
+    given(finder, "finder");
+    *finder = new footfall_path_finder{result->environment, result->pipeline,
+                                       PathFinder(result->run.mesh, before->finder, contextOf(context))};
+  });
+}
+
 footfall_status footfall_find_path(const footfall_path_finder* finder, const double from[3], const double to[3],
                                    footfall_context* context, footfall_path** path) {
   return guarded(__func__, [&] {

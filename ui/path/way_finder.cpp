@@ -30,11 +30,13 @@ void WayFinder::prepare(const WayGround& wanted, bool forBody, RunContext& conte
   if (ground_ == wanted && (forBody ? bodies_ != nullptr : points_ != nullptr)) return;
   separations_.reset();
   last_.reset();
-  points_.reset();
+  if (points_) earlier_ = std::move(points_);
   bodies_.reset();
   ground_ = wanted;
   if (!forBody) {
-    points_ = std::make_unique<PathFinder>(wanted.mesh, &context);
+    points_ = earlier_ ? std::make_unique<PathFinder>(wanted.mesh, *earlier_, &context)
+                       : std::make_unique<PathFinder>(wanted.mesh, &context);
+    earlier_.reset();
     return;
   }
   bodies_ = onThreads(0, [&](int) {

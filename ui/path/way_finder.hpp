@@ -65,7 +65,8 @@ class WayFinder {
   [[nodiscard]] std::array<std::uint32_t, 2> partsOf(const PathResult& result) const;
 
   WayGround ground_;
-  std::unique_ptr<PathFinder> points_;  ///< one of the two is there after prepare()
+  std::unique_ptr<PathFinder> points_;   ///< one of the two is there after prepare()
+  std::unique_ptr<PathFinder> earlier_;  ///< finder of an earlier ground, of which the next one is made
   std::unique_ptr<BodyPathFinder> bodies_;
   std::unique_ptr<SeparationFinder> separations_;
   std::optional<Answer> last_;

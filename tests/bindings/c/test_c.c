@@ -324,7 +324,11 @@ static void testPaths(void) {
   footfall_path_finder* finder = NULL;
   footfall_path* path = NULL;
   footfall_barrier barrier;
-  CHECK_OK(footfall_make_path_finder(result, NULL, &finder));
+  footfall_path_finder* before = NULL;
+  CHECK_OK(footfall_make_path_finder(result, NULL, &before));
+  CHECK_FAILS(footfall_follow_path_finder(result, NULL, NULL, &finder), FOOTFALL_INPUT_ERROR, "before is NULL");
+  CHECK_OK(footfall_follow_path_finder(result, before, NULL, &finder));
+  footfall_free_path_finder(before);
   footfall_free_result(result);
   footfall_free_environment(level);
 

@@ -210,6 +210,24 @@ class Edits(unittest.TestCase):
             level.add(np.full((3, 3), np.nan), [[0, 1, 2]])
         self.assertEqual(area().area, 103.0)
 
+    def test_paths_after_an_edit(self):
+        level = footfall.EditableEnvironment(footfall.Environment(*scenes.floor()))
+        cache = footfall.ResultCache()
+        before = footfall.run(level.environment, cache=cache)
+        before.prepare_paths()
+        level.add(*scenes.box(4, 2, 0, 6, 8, 3))
+        after = footfall.run(level.environment, cache=cache)
+        after.prepare_paths(before=before)
+        anew = footfall.run(level.environment)
+        self.assertGreater(after.find_path((2, 5, 0), (8, 5, 0)).length, 6)
+        np.testing.assert_array_equal(
+            after.find_path((2, 5, 0), (8, 5, 0)).points, anew.find_path((2, 5, 0), (8, 5, 0)).points
+        )
+        self.assertEqual(before.find_path((2, 5, 0), (8, 5, 0)).length, 6)
+        anew.prepare_paths(before=before)  # it is prepared already
+        with self.assertRaises(TypeError):
+            after.prepare_paths(before=3)
+
     def test_several_agents(self):
         level = footfall.Environment(*scenes.floor(0, 0, 10, 4))
         agents = [footfall.Agent(), footfall.Agent(radius=0.5), footfall.Agent(radius=1, drop=1), footfall.Agent()]

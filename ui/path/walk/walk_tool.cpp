@@ -43,7 +43,9 @@ void WalkTool::setGround(const PathModel::Ground& ground, const WalkBody& body, 
   body_ = body;
   metresPerUnit_ = metresPerUnit;
   if (!isAnother) return;
+  if (finder_) earlier_ = std::move(finder_);
   finder_.reset();
+  if (!ground_.mesh) earlier_.reset();
   work_.stop();
   if (view_.tool() != this) return;
   if (!ground_.mesh && isWalking()) {
@@ -58,8 +60,9 @@ void WalkTool::prepare() {
   if (finder_ || work_.busy() || !ground_.mesh) return;
   work_.start(
       *this,
-      [mesh = ground_.mesh](const RunContext& context) {
-        return std::shared_ptr<const PathFinder>(std::make_shared<PathFinder>(mesh, &context));
+      [mesh = ground_.mesh, earlier = earlier_](const RunContext& context) {
+        return std::shared_ptr<const PathFinder>(earlier ? std::make_shared<PathFinder>(mesh, *earlier, &context)
+                                                         : std::make_shared<PathFinder>(mesh, &context));
       },
       [this](const std::shared_ptr<const PathFinder>& finder) { takeFinder(finder); },
       [this](const std::exception& error) { emit failed(coreText(error)); });
@@ -67,6 +70,7 @@ void WalkTool::prepare() {
 
 void WalkTool::takeFinder(std::shared_ptr<const PathFinder> finder) {
   finder_ = std::move(finder);
+  earlier_.reset();
   if (isWalking()) {
     standAt(feet());  // on the new result
   } else if (wanted_) {

@@ -66,6 +66,7 @@ class WalkTool : public QObject, public ViewTool {
   double metresPerUnit_ = 1;
   double speed_ = 1.4;
   std::shared_ptr<const PathFinder> finder_;  ///< the ground's; null until it is prepared
+  std::shared_ptr<const PathFinder> earlier_;  ///< an earlier ground's, of which the next one is made
   std::optional<GroundWalk> walk_;
   Sight sight_;
   double height_ = 0;     ///< the eyes' height, which follows the feet
