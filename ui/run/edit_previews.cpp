@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "footfall/filter.hpp"
+#include "footfall/filter_type.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -45,23 +47,31 @@ void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const Navigat
     if (known != known_.end() && known->second->suits(edited)) {
       kept.insert(*known);
     } else {
-      missing_.emplace_back(name, std::move(edited));
+      missing_.push_back({name, std::move(edited), {}});
+      if (step.filter->type != FilterType::Radius) continue;
+      Pipeline before;
+      for (std::size_t k = 0; k < i; ++k) before.steps.push_back(*job.steps[k]);
+      missing_.back().makeProduct = [environment = job.environment, before, cache = job.cache,
+                                     threads = job.threads](RunContext& context) {
+        return runPipeline(environment, before, context, cache.get(), threads).mesh;
+      };
     }
   }
   known_ = std::move(kept);
 }
 
 void EditPreviews::prepare(const std::shared_ptr<const Environment>& environment, const Vec3& centre) {
-  for (auto& [name, step] : std::exchange(missing_, {})) {
-    queue_.post([this, name = name, step = std::move(step), context = context_, environment, centre] {
+  for (Missing& missing : std::exchange(missing_, {})) {
+    queue_.post([this, missing = std::move(missing), context = context_, environment, centre]() mutable {
       std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();
-        made = makeEditPreview(step, environment, centre, *context);
+        if (missing.makeProduct) missing.step.product = missing.makeProduct(*context);
+        made = makeEditPreview(missing.step, environment, centre, *context);
       } catch (const std::exception&) {
-        return;  // cancelled, or memory ran out: a run then shows the first change
+        return;  // cancelled, no pipeline of its own before the step, or memory ran out: a run shows the first change
       }
-      const auto keep = [this, name, context, made] {
+      const auto keep = [this, name = missing.name, context, made] {
         if (made && context == context_) known_[name] = made;
       };
       QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);

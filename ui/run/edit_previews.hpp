@@ -3,10 +3,10 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "footfall/run_context.hpp"
@@ -39,8 +39,15 @@ class EditPreviews : public QObject {
   void clear();
 
  private:
+  struct Missing {
+    std::string name;
+    EditedStep step;
+    /// Makes EditedStep::product; empty for filters that do not need it. May throw.
+    std::function<std::shared_ptr<const NavigationMesh>(RunContext&)> makeProduct;
+  };
+
   std::map<std::string, std::shared_ptr<const EditPreview>> known_;
-  std::vector<std::pair<std::string, EditedStep>> missing_;
+  std::vector<Missing> missing_;
   std::shared_ptr<RunContext> context_ = std::make_shared<RunContext>();
   BackgroundQueue queue_;  // declared last: its thread ends before the other members are destroyed
 };

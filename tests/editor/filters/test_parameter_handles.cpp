@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/base/vector.hpp"
+#include "core/mesh/clearance_field.hpp"
+#include "core/pipeline/runner.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/filters/filter_list.hpp"
@@ -126,6 +128,54 @@ class TestParameterHandles : public QObject {
     QCOMPARE(value(Radius), 0.0);
   }
 
+  void aDraggedRadiusIsShownBeforeItsRun() {
+    choose(Radius);
+    QTRY_VERIFY_WITH_TIMEOUT(window_->controller().previews(id(Radius)), 20000);
+    const std::string head = "SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.2\n";
+    RunContext context;
+    const auto before =
+        runPipeline(window_->controller().finishedRun()->environment, parsePipeline(head, "test"), context).mesh;
+    const ClearanceField field(*before);
+    const Vec3 centre{0, 0, 0.15};  // of the level
+    EditPreview::Surfaces shown;
+    connect(&window_->controller(), &RunController::contentReady, this, [&](const ViewContent& content) {
+      if (!content.changes.empty()) shown = content.changes;
+    });
+    const ParameterMeasure measure = handles_->measures()[0];
+    press(measure.handle());
+    for (const double radius : {0.7, 0.9, 0.3}) {
+      shown.clear();
+      move(measure.at + radius * measure.along);
+      // It is shown within the event of the mouse, before any run.
+      QVERIFY(!shown.empty());
+      const double now = value(Radius);
+      QVERIFY2(std::abs(now - radius) <= 0.03, qPrintable(QString::number(now)));
+      // Middles of the removed triangles are nearer than the radius to a border of their face.
+      std::size_t found = 0;
+      const auto& surface = shown.back()->surface;
+      for (std::size_t v = 0; v < surface.size(); v += 3) {
+        Vec3 middle = centre;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const auto& p = surface[v + k].position;
+          middle = middle + (1.0 / 3) * Vec3{p[0], p[1], p[2]};
+        }
+        double least = 1e9;
+        for (std::uint32_t face = 0; face < before->triangles.size(); ++face)
+          if (holds(*before, face, middle)) least = std::min(least, field.at(face, middle.x, middle.y).distance);
+        QVERIFY2(least < now + 1e-4, qPrintable(QString::number(least)));
+        ++found;
+      }
+      QVERIFY(found > 10);
+      // shoot() would wait for the run.
+      const QString pictures = qEnvironmentVariable("FOOTFALL_TEST_PICTURES");
+      if (!pictures.isEmpty())
+        window_->view().grabFramebuffer().save(QString("%1/radius-dragged-%2.png").arg(pictures).arg(qRound(now * 10)));
+    }
+    release(measure.at + 0.3 * measure.along);
+    QVERIFY(waitUntilIdle(*window_));
+    QCOMPARE(window_->controller().finishedRun()->pipeline.steps[Radius].values[0], value(Radius));
+  }
+
   void escTakesADragBack() {
     choose(Clearance);
     const Vec3 handle = handles_->measures()[0].handle();
@@ -224,6 +274,13 @@ class TestParameterHandles : public QObject {
     move(0.5 * (from + to));
     move(to);
     release(to);
+  }
+  static bool holds(const NavigationMesh& mesh, std::uint32_t face, const Vec3& p) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 &a = mesh.vertices[mesh.triangles[face][k]], &b = mesh.vertices[mesh.triangles[face][(k + 1) % 3]];
+      if ((b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) < 0) return false;
+    }
+    return true;
   }
 
   const QTemporaryDir folder_;

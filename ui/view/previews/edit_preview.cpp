@@ -139,8 +139,7 @@ std::shared_ptr<const EditPreview> makeEditPreview(const EditedStep& step,
     return std::make_shared<HeadroomPreview>(step, environment, centre, poll);
   if (step.filter == FilterType::Step && step.result)
     return std::make_shared<LinkPreview>(step, *environment, centre, poll);
-  if (step.filter == FilterType::Radius && step.before && step.result && step.values[0] > 0)
-    return std::make_shared<MarginPreview>(step, centre, poll);
+  if (step.filter == FilterType::Radius && step.before) return std::make_shared<MarginPreview>(step, centre, poll);
   return nullptr;
 }
 

@@ -18,6 +18,9 @@ struct EditedStep {
   std::vector<double> values;
   std::shared_ptr<const NavigationMesh> before;  ///< walkable area before it
   std::shared_ptr<const NavigationMesh> result;  ///< result of the whole run
+  /// The result of a run of the steps before it, for RadiusFilter: `before` has no links, and thin walls in it divide
+  /// nothing. Null: `before` is used.
+  std::shared_ptr<const NavigationMesh> product = nullptr;
 };
 
 /// Shows edits of one filter's values. It is prepared after a run, so that the cost of an edit is that of its changes.
