@@ -5013,6 +5013,14 @@
         <translation>Sie sind Teil der Datei</translation>
     </message>
     <message>
+        <source>Bottlenecks: the narrowest passages</source>
+        <translation>Engstellen: die schmalsten Durchgänge</translation>
+    </message>
+    <message>
+        <source>Their corridor map takes a while on large levels</source>
+        <translation>Ihre Karte der Durchgänge braucht in großen Leveln eine Weile</translation>
+    </message>
+    <message>
         <source>File</source>
         <translation>Datei</translation>
     </message>
@@ -5059,6 +5067,10 @@
     <message>
         <source>three pictures</source>
         <translation>drei Bilder</translation>
+    </message>
+    <message>
+        <source>bottlenecks</source>
+        <translation>Engstellen</translation>
     </message>
     <message>
         <source>Figures of a result with %1.</source>
@@ -7704,6 +7716,34 @@ Material: %2</translation>
     <message>
         <source>Black and white</source>
         <translation>Schwarzweiß</translation>
+    </message>
+    <message>
+        <source>Corridor &amp;map</source>
+        <translation>&amp;Karte der Durchgänge</translation>
+    </message>
+    <message>
+        <source>Draw lines in the middle of all passages</source>
+        <translation>Linien in der Mitte aller Durchgänge zeichnen</translation>
+    </message>
+    <message>
+        <source>&amp;Bottlenecks narrower than</source>
+        <translation>&amp;Engstellen schmaler als</translation>
+    </message>
+    <message>
+        <source>Draw passages narrower than this as dimension lines with their widths</source>
+        <translation>Durchgänge, die schmaler sind, als Maßlinien mit ihrer Breite zeichnen</translation>
+    </message>
+    <message>
+        <source>Width of bottlenecks</source>
+        <translation>Breite von Engstellen</translation>
+    </message>
+    <message>
+        <source>Wider passages get no dimension line</source>
+        <translation>Breitere Durchgänge bekommen keine Maßlinie</translation>
+    </message>
+    <message>
+        <source>Width of bottlenecks: %1</source>
+        <translation>Breite von Engstellen: %1</translation>
     </message>
 </context>
 <context>

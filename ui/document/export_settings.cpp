@@ -173,9 +173,11 @@ ExportSettings rememberedExport(const ExportTarget& target) {
   remembered.placed = isOn("placed", false);
   remembered.pictureSize = number("pictureSize", 0, 3, 0);
   remembered.pictures = isOn("pictures", true);
+  remembered.bottlenecks = isOn("bottlenecks", false);
   PlanOptions& plan = remembered.plan;
   plan.pages = isOn("layerPages", false) ? PlanPages::Layers : PlanPages::Storeys;
   plan.colours = isOn("blackAndWhite", false) ? PlanColours::BlackAndWhite : PlanColours::Colour;
+  plan.hasCorridors = isOn("corridors", false);
   if (const int paper = number("paper", -1, static_cast<int>(Paper::A0), -1); paper >= 0)
     plan.paper = static_cast<Paper>(paper);
   return remembered;
@@ -194,8 +196,10 @@ void rememberExport(const ExportSettings& chosen) {
   keep("placed", chosen.placed);
   keep("pictureSize", chosen.pictureSize);
   keep("pictures", chosen.pictures);
+  keep("bottlenecks", chosen.bottlenecks);
   keep("layerPages", chosen.plan.pages == PlanPages::Layers);
   keep("blackAndWhite", chosen.plan.colours == PlanColours::BlackAndWhite);
+  keep("corridors", chosen.plan.hasCorridors);
   keep("paper", chosen.plan.paper ? static_cast<int>(*chosen.plan.paper) : -1);
 }
 

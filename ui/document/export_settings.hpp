@@ -37,10 +37,11 @@ QString targetName(const ExportTarget& target);
 struct ExportSettings {
   const ExportTarget* target = exportTargets().data();
   ExportOptions options;
-  bool placed = false;   ///< includes the placed obstacles
-  PlanOptions plan;      ///< options of floor plans
-  int pictureSize = 0;   ///< index of pictureSizes()
-  bool pictures = true;  ///< pictures in the report
+  bool placed = false;       ///< includes the placed obstacles
+  PlanOptions plan;          ///< options of floor plans
+  int pictureSize = 0;       ///< index of pictureSizes()
+  bool pictures = true;      ///< pictures in the report
+  bool bottlenecks = false;  ///< the narrowest passages in the report
   /// The files beside the first one that an export with several files may replace, and those written since. Null: all
   /// may be replaced.
   std::shared_ptr<std::set<std::string>> replaceable;
@@ -71,8 +72,8 @@ QList<PictureSize> pictureSizes(const QSize& view, double devicePixelRatio);
 
 /// The target of the last export.
 const ExportTarget& rememberedTarget();
-/// The settings of the last export for a target, except scale, frame, part and coordinate system, which would silently
-/// change the export of the next level.
+/// The settings of the last export for a target, except scale, frame, part, coordinate system and width of bottlenecks,
+/// which would silently change the export of the next level.
 ExportSettings rememberedExport(const ExportTarget& target);
 void rememberExport(const ExportSettings& settings);
 

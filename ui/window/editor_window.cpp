@@ -232,6 +232,7 @@ void EditorWindow::createFeatures() {
   exports_ = new ResultExport({.window = *this,
                                .document = document_,
                                .level = file_,
+                               .units = units_,
                                .controller = controller_,
                                .view = *view_,
                                .modes = look_->modes(),

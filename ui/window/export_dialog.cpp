@@ -95,6 +95,7 @@ void ExportDialog::createWidgets() {
   polygonOptions_ = createPolygonOptions();
   frameOptions_ = createFrameOptions();
   plan_ = new PlanChoices(this);
+  plan_->setUnits(source_.units);
   pictureOptions_ = new QWidget(this);
   pictureSize_ = new QComboBox(pictureOptions_);
   pictureSize_->setObjectName(QStringLiteral("exportPictureSize"));
@@ -106,6 +107,8 @@ void ExportDialog::createWidgets() {
   report->setContentsMargins(0, 0, 0, 0);
   pictures_ = addBox(report, QStringLiteral("exportPictures"), tr("Pictures: as seen now, from the top, and oblique"),
                      tr("They are part of the file"));
+  bottlenecks_ = addBox(report, QStringLiteral("exportBottlenecks"), tr("Bottlenecks: the narrowest passages"),
+                        tr("Their corridor map takes a while on large levels"));
 
   content_ = addLabel(this, "exportContent");
   size_ = addLabel(this, "exportSize");
@@ -115,7 +118,7 @@ void ExportDialog::createWidgets() {
   connect(target_, &QComboBox::activated, this, &ExportDialog::changeTarget);
   connect(path_, &QLineEdit::textEdited, this, &ExportDialog::readPath);
   connect(browse_, &QPushButton::clicked, this, &ExportDialog::browse);
-  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, steps_, drops_, placed_, pictures_})
+  for (QCheckBox* box : {layers_, connections_, obstacleEdges_, steps_, drops_, placed_, pictures_, bottlenecks_})
     connect(box, &QCheckBox::toggled, this, &ExportDialog::refresh);
   for (QComboBox* box : {up_, pictureSize_})
     connect(box, &QComboBox::currentIndexChanged, this, &ExportDialog::refresh);
@@ -232,6 +235,7 @@ void ExportDialog::takeSettings(const ExportSettings& settings) {
   plan_->setOptions(settings.plan);
   pictureSize_->setCurrentIndex(settings.pictureSize);
   pictures_->setChecked(settings.pictures);
+  bottlenecks_->setChecked(settings.bottlenecks);
 }
 
 const ExportTarget& ExportDialog::target() const {
@@ -260,6 +264,7 @@ ExportSettings ExportDialog::settings() const {
   settings.plan = plan_->options();
   settings.pictureSize = pictureSize_->currentIndex();
   settings.pictures = pictures_->isChecked();
+  settings.bottlenecks = bottlenecks_->isChecked();
   return settings;
 }
 
@@ -350,6 +355,7 @@ QString ExportDialog::problem() const {
   });
   if (!unwritable.isEmpty()) return unwritable;
   if (!meshOptions_->isHidden() && !scale_->problem().isEmpty()) return tr("Scale: %1").arg(scale_->problem());
+  if (isPlan(kind()) && !plan_->problem().isEmpty()) return plan_->problem();
   const FormatDescriptor* format = meshFormat(kind());
   return format ? errorOf([&] { checkOptions(format->format, settings().options); }) : QString();
 }
@@ -363,6 +369,7 @@ QString ExportDialog::content() const {
         countedText(source_.run->result.mesh->triangles.size(), tr("triangle"), tr("triangles")),
         countedText(source_.run->result.steps.size(), tr("step with its times"), tr("steps with their times"))};
     if (pictures_->isChecked()) parts << tr("three pictures");
+    if (bottlenecks_->isChecked()) parts << tr("bottlenecks");
     text = tr("Figures of a result with %1.").arg(parts.join(QStringLiteral(", ")));
   } else if (const FormatDescriptor* format = meshFormat(kind())) {
     text = meshContent(*format);
@@ -440,7 +447,7 @@ void ExportDialog::estimate() {
   if (estimating_) estimating_->cancel();
   estimating_.reset();
   const bool isMade = meshFormat(kind()) || isPlan(kind());
-  if (!isMade || !source_.run || !source_.isUpToDate || !scale_->problem().isEmpty()) {
+  if (!isMade || !source_.run || !source_.isUpToDate || !scale_->problem().isEmpty() || !plan_->problem().isEmpty()) {
     size_->clear();
     return;
   }

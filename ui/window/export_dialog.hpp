@@ -31,6 +31,7 @@ struct ExportSource {
   std::vector<ExportExtra> placed;
   QSize view;  ///< logical pixels
   double devicePixelRatio = 1;
+  LevelUnits units;
   /// The reason why a file must not be written; empty where it may be.
   std::function<QString(const QString& path)> refusal;
 };
@@ -81,7 +82,7 @@ class ExportDialog : public QDialog {
   std::map<const ExportTarget*, ExportSettings> settings_;  ///< settings of the other targets
   QComboBox *target_, *up_, *pictureSize_;
   QSpinBox* part_;
-  QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *drops_, *placed_, *pictures_;
+  QCheckBox *layers_, *connections_, *obstacleEdges_, *steps_, *drops_, *placed_, *pictures_, *bottlenecks_;
   NumberField* scale_;
   QLineEdit *path_, *coordinateSystem_;
   PlanChoices* plan_;

@@ -2,11 +2,25 @@
 #include "ui/window/plan_choices.hpp"
 
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <algorithm>
 
 #include "ui/base/namespaces.hpp"
+#include "ui/base/widgets/positive_number.hpp"
 
 namespace footfall::ui {
+
+namespace {
+
+constexpr double kUsualWidth = 1;  // metres: two people do not pass each other
+
+ParameterDescriptor bottleneckWidth() {
+  ParameterDescriptor number = positiveNumber("width", "Width of bottlenecks", kUsualWidth);
+  number.unit = Unit::Length;
+  return number;
+}
+
+}  // namespace
 
 PlanChoices::PlanChoices(QWidget* parent) : QWidget(parent) {
   auto* form = new QFormLayout(this);
@@ -33,6 +47,44 @@ PlanChoices::PlanChoices(QWidget* parent) : QWidget(parent) {
   colours_ = addChoice("planColours", tr("&Colours"), tr("For the screen or for printing"));
   colours_->addItem(tr("In colour"), static_cast<int>(PlanColours::Colour));
   colours_->addItem(tr("Black and white"), static_cast<int>(PlanColours::BlackAndWhite));
+  const auto addBox = [this](const char* id, const QString& text, const QString& help) {
+    auto* box = new QCheckBox(text, this);
+    box->setObjectName(QString::fromLatin1(id));
+    box->setToolTip(help);
+    connect(box, &QCheckBox::toggled, this, &PlanChoices::changed);
+    return box;
+  };
+  corridors_ = addBox("planCorridors", tr("Corridor &map"), tr("Draw lines in the middle of all passages"));
+  bottlenecks_ = addBox("planBottlenecks", tr("&Bottlenecks narrower than"),
+                        tr("Draw passages narrower than this as dimension lines with their widths"));
+  width_ = new NumberField(bottleneckWidth(), this);
+  width_->setObjectName(QStringLiteral("planWidth"));
+  width_->setAccessibleName(tr("Width of bottlenecks"));
+  width_->setToolTip(tr("Wider passages get no dimension line"));
+  width_->setFixedWidth(72);
+  width_->setEnabled(false);
+  unit_ = new QLabel(this);
+  connect(bottlenecks_, &QCheckBox::toggled, width_, &QWidget::setEnabled);
+  connect(width_, &NumberField::valueEdited, this, &PlanChoices::changed);
+  connect(width_, &NumberField::problemChanged, this, &PlanChoices::changed);
+  auto* row = new QHBoxLayout;
+  row->addWidget(bottlenecks_);
+  row->addWidget(width_);
+  row->addWidget(unit_, 1);
+  form->addRow(corridors_);
+  form->addRow(row);
+  setUnits({});
+}
+
+void PlanChoices::setUnits(const LevelUnits& units) {
+  width_->setUnits(units);
+  width_->setValue(kUsualWidth / units.metresPerUnit);
+  unit_->setText(units.name());
+}
+
+QString PlanChoices::problem() const {
+  if (!bottlenecks_->isChecked() || width_->problem().isEmpty()) return {};
+  return tr("Width of bottlenecks: %1").arg(width_->problem());
 }
 
 PlanOptions PlanChoices::options() const {
@@ -41,6 +93,8 @@ PlanOptions PlanChoices::options() const {
   options.colours = static_cast<PlanColours>(colours_->currentData().toInt());
   if (const double scale = scale_->currentData().toDouble(); scale > 0) options.scale = scale;
   if (const int paper = paper_->currentData().toInt(); paper >= 0) options.paper = static_cast<Paper>(paper);
+  options.hasCorridors = corridors_->isChecked();
+  if (bottlenecks_->isChecked()) options.narrowerThan = width_->value();
   return options;
 }
 
@@ -52,6 +106,9 @@ void PlanChoices::setOptions(const PlanOptions& options) {
   choose(scale_, options.scale.value_or(0));
   choose(paper_, options.paper ? static_cast<int>(*options.paper) : -1);
   choose(colours_, static_cast<int>(options.colours));
+  corridors_->setChecked(options.hasCorridors);
+  bottlenecks_->setChecked(options.narrowerThan.has_value());
+  if (options.narrowerThan) width_->setValue(*options.narrowerThan);
 }
 
 }  // namespace footfall::ui

@@ -4,11 +4,14 @@
 #include <QBuffer>
 #include <QFileInfo>
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <utility>
 
+#include "core/base/worker_arena.hpp"
 #include "core/io/formats/save.hpp"
 #include "core/report/html_report.hpp"
+#include "footfall/corridor_map.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/report.hpp"
 #include "ui/base/namespaces.hpp"
@@ -82,6 +85,7 @@ void ResultExport::showDialog(const ExportTarget& target) {
   source.placed = placedExtras();
   source.view = uses_.view.size();
   source.devicePixelRatio = uses_.view.devicePixelRatioF();
+  source.units = uses_.units.units();
   source.refusal = [this](const QString& path) { return uses_.writer.refusal(path, WrittenKind::Export); };
   const QString suffix = isPlan(target.kind)       ? QStringLiteral("-plan")
                          : meshFormat(target.kind) ? QStringLiteral("-walkable")
@@ -162,7 +166,7 @@ void ResultExport::writeNow(const QString& path, const ExportSettings& settings)
   if (settings.kind() == ExportKind::Png) {
     writePicture(path, settings);
   } else if (settings.kind() == ExportKind::Html) {
-    writeReport(path, settings.pictures);
+    writeReport(path, settings);
   } else {
     writeFiles(path, settings);
   }
@@ -221,9 +225,9 @@ void ResultExport::writePicture(const QString& path, const ExportSettings& setti
       path);
 }
 
-void ResultExport::writeReport(const QString& path, bool pictures) {
+void ResultExport::writeReport(const QString& path, const ExportSettings& settings) {
   std::vector<CaptionedImage> images, colours;
-  if (pictures) {
+  if (settings.pictures) {
     colours = reportLegend(uses_.view.content(), uses_.view.parts());
     if (isHeatMap(uses_.view.mode()))
       colours.emplace_back(uses_.view.mode() == ViewMode::Slope
@@ -240,10 +244,12 @@ void ResultExport::writeReport(const QString& path, bool pictures) {
   }
   uses_.writer.writeLong(
       [run = uses_.controller.finishedRun(), environment = uses_.level.environment(), images, colours,
-       target = toPath(path)](const RunContext& context) {
+       isNarrow = settings.bottlenecks, target = toPath(path)](const RunContext& context) {
         const std::vector<ReportPicture> pictures = pngsOf(images), legend = pngsOf(colours);
         context.checkCancelled();
-        const ReportDetails details{reportDate(), pictures, legend};
+        std::optional<CorridorMap> corridors;
+        if (isNarrow) corridors = onThreads(0, [&](int) { return makeCorridorMap(*run->result.mesh, {}, &context); });
+        const ReportDetails details{reportDate(), pictures, legend, corridors ? &*corridors : nullptr};
         const std::string html = formatHtmlReport(*environment, run->pipeline, run->result, {}, details);
         context.checkCancelled();
         writeFileSafely(target, html);

@@ -11,6 +11,7 @@
 
 #include "ui/base/messages/message_bar.hpp"
 #include "ui/base/messages/message_log.hpp"
+#include "ui/base/text/unit_choice.hpp"
 #include "ui/document/document.hpp"
 #include "ui/document/export_settings.hpp"
 #include "ui/level/view_modes.hpp"
@@ -35,6 +36,7 @@ class ResultExport : public QObject {
     QWidget& window;  ///< parent of the dialog
     const Document& document;
     const LevelFile& level;
+    const UnitChoice& units;
     RunController& controller;
     LevelView& view;
     const ViewModes& modes;
@@ -78,7 +80,7 @@ class ResultExport : public QObject {
   void writeNow(const QString& path, const ExportSettings& settings);
   void writeFiles(const QString& path, const ExportSettings& settings);
   void writePicture(const QString& path, const ExportSettings& settings);
-  void writeReport(const QString& path, bool pictures);
+  void writeReport(const QString& path, const ExportSettings& settings);
   void writeWaiting();
   void writeAfterRun();
   void forgetLast();

@@ -280,7 +280,13 @@ class TestExportDialog : public QObject {
 
     openDialog();
     toggle("exportPictures");
-    QCOMPARE(accept("plain.html").count("data:image/png"), 0);
+    const QByteArray plain = accept("plain.html");
+    QCOMPARE(plain.count("data:image/png"), 0);
+    QVERIFY(!plain.contains("Bottlenecks"));
+    openDialog();
+    toggle("exportBottlenecks");
+    QVERIFY2(label("exportContent").endsWith("bottlenecks."), qPrintable(label("exportContent")));
+    QVERIFY(accept("narrow.html").contains("Bottlenecks"));
   }
 
   void whatCannotBeWrittenIsToldBeforehand() {

@@ -74,6 +74,40 @@ class TestFloorPlanDialog : public QObject {
     QVERIFY(!again.scale && again.paper == Paper::A3 && again.pages == PlanPages::Layers);
   }
 
+  void passagesAsChosen() {
+    // Two rooms, and between them a doorway of 0.8.
+    const QByteArray rooms =
+        "v -4 -4 0\nv 4 -4 0\nv 4 4 0\nv -4 4 0\nf 1 2 3 4\n"
+        "v 0 -4 3\nv 0 -0.4 3\nv 0 -0.4 0\nv 0 -4 0\nf 5 6 7 8\n"
+        "v 0 0.4 3\nv 0 4 3\nv 0 4 0\nv 0 0.4 0\nf 9 10 11 12\n";
+    QVERIFY(openZUp(*window_, writeFile(*folder_, "rooms.obj", rooms), kPipeline));
+    showDialog("plan-svg");
+    QVERIFY(!dialog()->settings().plan.hasCorridors && !dialog()->settings().plan.narrowerThan);
+    save("plain.svg");
+    const QByteArray plain = readFile(folder_->filePath("plain.svg"));
+    QVERIFY(!plain.contains("0.80"));
+    showDialog("plan-svg");
+    auto* width = dialog()->findChild<NumberField*>("planWidth");
+    QVERIFY(!width->isEnabled() && width->value() == 1);
+    dialog()->findChild<QCheckBox*>("planBottlenecks")->click();
+    dialog()->findChild<QCheckBox*>("planCorridors")->click();
+    QVERIFY(width->isEnabled());
+    QVERIFY(dialog()->settings().plan.hasCorridors && dialog()->settings().plan.narrowerThan == 1);
+    type(*width, "-1");
+    QVERIFY(!dialog()->findChild<QPushButton*>("exportAccept")->isEnabled());
+    QVERIFY(dialog()->findChild<QLabel*>("rowError")->text().startsWith("Width of bottlenecks: "));
+    type(*width, "0.9");
+    QCOMPARE(dialog()->settings().plan.narrowerThan, 0.9);
+    QTRY_VERIFY(dialog()->findChild<QLabel*>("exportSize")->text().startsWith("Size: "));
+    shoot(*dialog(), "export-plan-passages");
+    save("passages.svg");
+    const QByteArray svg = readFile(folder_->filePath("passages.svg"));
+    QVERIFY(svg.contains("0.80") && svg.size() > plain.size());
+    // The map is remembered, the width of one level is not.
+    showDialog("plan-svg");
+    QVERIFY(dialog()->settings().plan.hasCorridors && !dialog()->settings().plan.narrowerThan);
+  }
+
   // A tower has a page for each layer; existing files of these names need a confirmation.
   void pagesAreNotReplacedUnasked() {
     window_->openWith(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/tower/tower.obj"), parsePipeline(kPipeline, "test"),
@@ -138,6 +172,12 @@ class TestFloorPlanDialog : public QObject {
     auto* box = dialog()->findChild<QComboBox*>(name);
     QVERIFY(box->isVisible() && box->findText(text) >= 0);
     box->setCurrentIndex(box->findText(text));
+  }
+
+  void type(QLineEdit& field, const QString& text) {
+    field.setFocus();
+    field.selectAll();
+    QTest::keyClicks(&field, text);
   }
 
   void save(const QString& file) {
