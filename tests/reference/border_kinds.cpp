@@ -10,8 +10,9 @@
 namespace footfall::reference {
 namespace {
 
-constexpr double kHair = 1e-7;      // tolerance of heights and shares
-constexpr double kBeside = 1e-6;    // distance to the right of the border of a place beside it
+constexpr double kLeastReach = 1e-10;  // doubles of a level resolve less, but not by much
+constexpr double kHair = 1e-7;         // tolerance of heights and shares
+constexpr double kBeside = 1e-6;       // distance to the right of the border of a place beside it
 constexpr double kCloser = 1e-3;    // share of that: a border that differs there, or as much closer, has another limit
                                     // than doubles resolve
 constexpr double kLeaning = 1e-11;  // least lean from foot to top: below it, the wall is an upright one that was
@@ -86,6 +87,13 @@ void addShares(const std::array<Vec3, 3>& t, const Vec3& a, const Vec3& b, doubl
     if (atA != atB) addShare((level - atA) / (atB - atA), shares);
 }
 
+/// How far a triangle leans in the plan for each unit of height.
+double leanOf(const std::array<Vec3, 3>& t) {
+  const Vec3 u{t[1].x - t[0].x, t[1].y - t[0].y, t[1].z - t[0].z}, v{t[2].x - t[0].x, t[2].y - t[0].y, t[2].z - t[0].z};
+  const double x = u.y * v.z - u.z * v.y, y = u.z * v.x - u.x * v.z, z = u.x * v.y - u.y * v.x;
+  return std::fabs(z) / std::hypot(x, y);
+}
+
 }  // namespace
 
 std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec3& a, const Vec3& b, double step,
@@ -106,9 +114,9 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
   std::sort(shares.begin(), shares.end());
   const double length = std::hypot(b.x - a.x, b.y - a.y);
   const double outX = (b.y - a.y) / length, outY = -(b.x - a.x) / length;
-  const auto reaches = [&](double share, double more, double beside) {
+  const auto reaches = [&](const std::vector<std::array<Vec3, 3>>& some, double share, double more, double beside) {
     const double x = a.x + share * (b.x - a.x), y = a.y + share * (b.y - a.y), z = a.z + share * (b.z - a.z);
-    return std::any_of(near.begin(), near.end(), [&](const std::array<Vec3, 3>& t) {
+    return std::any_of(some.begin(), some.end(), [&](const std::array<Vec3, 3>& t) {
       for (const double out : {0.0, beside}) {
         const auto range = heightsAt(t, x + out * outX, y + out * outY, out == 0 ? 1e-9 : 0);
         if (range && range->highest > z + step - more && range->lowest < z + height + more) return true;
@@ -116,18 +124,32 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
       return false;
     });
   };
+  // On a grid, a wall that leans by at most four steps between the step and the height stands at the border if it is
+  // within four steps; where two or eight steps decide, it is doubtful. Halving the distance misses no such wall.
+  const auto reachesWithin = [&](double share, double steps) {
+    const double most = steps * environment.grid.step;
+    std::vector<std::array<Vec3, 3>> tilted;
+    for (const auto& t : near)
+      if (leanOf(t) * (height - step) <= most) tilted.push_back(t);
+    bool isReached = false;
+    for (double out = most; out > kLeastReach && !isReached && !tilted.empty(); out /= 2)
+      isReached = reaches(tilted, share, 0, out);
+    return isReached;
+  };
   std::vector<BorderStretch> stretches;
   for (std::size_t i = 1; i < shares.size(); ++i) {
     const double begin = shares[i - 1], end = shares[i], middle = begin + (end - begin) / 2;
     if (begin == end) continue;
     BorderKind kind = BorderKind::Doubtful;
-    const bool isWall = reaches(middle, 0, kBeside);
+    const bool isWall = reaches(near, middle, 0, kBeside);
     const auto isSure = [&](double beside) {
-      return reaches(middle, kHair, beside) == isWall && reaches(middle, -kHair, beside) == isWall;
+      return reaches(near, middle, kHair, beside) == isWall && reaches(near, middle, -kHair, beside) == isWall;
     };
     if ((end - begin) * length > 10 * kBeside && isSure(kBeside) && isSure(kCloser * kBeside) &&
         isSure(kCloser * kCloser * kBeside))
       kind = isWall ? BorderKind::Wall : BorderKind::Ledge;
+    if (kind == BorderKind::Ledge && reachesWithin(middle, 8))
+      kind = reachesWithin(middle, 2) ? BorderKind::Wall : BorderKind::Doubtful;
     if (!stretches.empty() && stretches.back().kind == kind)
       stretches.back().end = end;
     else

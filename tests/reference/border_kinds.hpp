@@ -17,7 +17,8 @@ struct BorderStretch {
 };
 
 /// Divides a border edge, with walkable area on its left. A place is at a wall when the environment reaches over it,
-/// strictly between the step and the height above it, straight over it or beside it on the right. Places that a hair
+/// strictly between the step and the height above it, straight over it or beside it on the right; on a grid also by a
+/// wall within four steps of the grid on the right that leans by no more between these heights. Places that a hair
 /// decides are doubtful.
 std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec3& a, const Vec3& b, double step,
                                        double height);

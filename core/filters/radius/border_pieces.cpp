@@ -13,6 +13,8 @@ namespace footfall::detail {
 namespace {
 
 constexpr std::size_t kSidesPerTask = 16;
+/// Rounding to a grid makes half of the upright walls lean away from the border, by at most so many steps of the grid.
+constexpr double kStepsAtWall = 4;
 constexpr double kDoubt = 4;  // margins of an EdgeFrame between what is wall for certain and what is ledge
 
 // Ledges end a little before the places where something begins or ends. What is no longer than `point` is one, and
@@ -90,22 +92,36 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   return walls;
 }
 
-/// Pieces of the border with a wall along it to within rounding, such as the walls on which a product was cut. The
-/// pieces are closed; a wall as high as the step or the clearance, to within rounding, does not count.
-std::vector<EdgePiece> nearWalls(BorderKinds& kinds) {
+/// Returns whether a triangle leans by at most `reach` between the step and the clearance: an upright wall that
+/// rounding to a grid tilted.
+bool isTilted(BorderKinds& kinds, Index triangle, double reach) {
+  if (reach == 0) return false;
+  const auto [n, atBegin, atEnd] = heightsOver(kinds.frame(), kinds.cornersOf(triangle));
+  return std::hypot(n.x, n.y) * reach >=
+         std::fabs(n.z) * (kinds.heightOf(kinds.heightLevel()) - kinds.heightOf(kinds.stepLevel()));
+}
+
+/// Pieces of the border with a wall along it to within rounding, such as the walls on which a product was cut, or with
+/// a tilted wall within `reach` (scaled) on its far side. The pieces are closed; a wall as high as the step or the
+/// clearance, to within rounding, does not count.
+std::vector<EdgePiece> nearWalls(BorderKinds& kinds, double reach) {
   const EdgeFrame& frame = kinds.frame();
   const double hair = 2 * frame.margin();
   const double lowest = kinds.heightOf(kinds.stepLevel()) + hair, highest = kinds.heightOf(kinds.heightLevel()) - hair;
   const LinearFunction none{}, &above = frame.above(), &outwards = frame.outwards();
-  const std::vector<LinearFunction> beside =
-      frame.widened({outwards, none - outwards, above + -lowest, none - above + highest});
+  const auto within = [&](double distance) {
+    return frame.widened({outwards, none - outwards + distance, above + -lowest, none - above + highest});
+  };
+  const std::vector<LinearFunction> beside = within(0), beyond = within(reach);
   const Vec3 a = frame.at(0), b = frame.at(1);
   std::vector<EdgePiece> walls;
-  kinds.visitNear({{std::min(a.x, b.x), std::min(a.y, b.y), std::min(a.z, b.z) + lowest},
-                   {std::max(a.x, b.x), std::max(a.y, b.y), std::max(a.z, b.z) + highest}},
+  kinds.visitNear({{std::min(a.x, b.x) - reach, std::min(a.y, b.y) - reach, std::min(a.z, b.z) + lowest},
+                   {std::max(a.x, b.x) + reach, std::max(a.y, b.y) + reach, std::max(a.z, b.z) + highest}},
                   [&](Index t) {
-                    if (isBesideToRounding(kinds, t)) return;
-                    if (const auto piece = frame.shadow(kinds.cornersOf(t), beside)) walls.push_back(*piece);
+                    const bool reachesBeyond = isTilted(kinds, t, reach);
+                    if (!reachesBeyond && isBesideToRounding(kinds, t)) return;
+                    if (const auto piece = frame.shadow(kinds.cornersOf(t), reachesBeyond ? beyond : beside))
+                      walls.push_back(*piece);
                   });
   return walls;
 }
@@ -133,6 +149,7 @@ BorderDivider::BorderDivider(const WalkableState& state, const MarginSurface& su
     : mesh_(*state.mesh),
       surface_(surface),
       isLedgeInDoubt_(isLedgeInDoubt),
+      reach_(std::ldexp(kStepsAtWall * state.environment->grid.step, state.kernel->mesh().grid.scaleExponent())),
       kinds_(*state.kernel, state.removed, state.step > 0 ? state.kernel->levelOf(state.step).value() : 0,
              state.kernel->levelOf(heightForKinds(state)).value()) {}
 
@@ -153,7 +170,7 @@ void BorderDivider::divide(Index side, std::vector<BorderPiece>& pieces) {
   const std::vector<EdgePiece> ledges =
       without(without(kinds_.ledges([&](const CoverAlong& c) { return isBesideToRounding(kinds_, c.triangle); }),
                       grazedWalls(kinds_)),
-              nearWalls(kinds_));
+              nearWalls(kinds_, reach_));
   if (ledges.size() == 1 && ledges[0].begin == 0 && ledges[0].end == 1) {  // nothing is in doubt, however short it is
     pieces.push_back({side, begin, end, true});
     return;

@@ -36,6 +36,7 @@ class BorderDivider {
   const WalkableMesh& mesh_;
   const MarginSurface& surface_;
   bool isLedgeInDoubt_;
+  double reach_ = 0;  ///< the distance on the far side within which a wall stands at the border; scaled
   BorderKinds kinds_;
 };
 

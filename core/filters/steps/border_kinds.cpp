@@ -6,6 +6,29 @@
 #include <limits>
 
 namespace footfall::detail {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The places of an edge at which a triangle is a wall: `begin` is one, `end` is none.
+struct WallSpan {
+  double begin = -kInfinity, end = kInfinity;
+
+  /// Keeps the places at which a located sign is `wanted`, or zero. Returns false where there are none.
+  bool keep(const SignAlong& sign, int wanted, bool isZeroToo) {
+    if (!sign.changes()) {
+      const int all = sign.on({});
+      return all * wanted > 0 || (isZeroToo && all == 0);
+    }
+    if (sign.begin * wanted > 0)
+      end = std::min(end, sign.low);
+    else
+      begin = std::max(begin, sign.low);
+    return true;
+  }
+};
+
+}  // namespace
 
 bool CoverAlong::covers(const EdgePiece& piece) const {
   return std::all_of(inside.begin(), inside.end(), [&](const SignAlong& s) { return s.on(piece) >= 0; });
@@ -124,20 +147,28 @@ void BorderKinds::addWall(Index triangle) {
     walls_.push_back(*piece);
 }
 
+// Pieces come in order, so that the covers that begin before the middle of one are the first of a sorted list.
 std::vector<EdgePiece> BorderKinds::ledgesWithout(const std::vector<std::size_t>& covers) {
   EdgePieces pieces;
-  std::vector<const CoverAlong*> within;
+  std::vector<WallSpan> spans;
   for (const std::size_t i : covers) {
     const CoverAlong& c = locate(i);
-    within.push_back(&c);
     for (const SignAlong& sign : c.inside) pieces.add(sign);
     pieces.add(c.overStep);
     pieces.add(c.underHeight);
+    WallSpan span;
+    const bool isWall =
+        span.keep(c.overStep, 1, false) && span.keep(c.underHeight, -1, false) &&
+        std::all_of(c.inside.begin(), c.inside.end(), [&](const SignAlong& s) { return span.keep(s, 1, true); });
+    if (isWall) spans.push_back(span);
   }
+  std::sort(spans.begin(), spans.end(), [](const WallSpan& a, const WallSpan& b) { return a.begin < b.begin; });
+  std::size_t begun = 0;
+  double reached = -kInfinity;
   return without(pieces.where([&](const EdgePiece& piece) {
-    return std::none_of(within.begin(), within.end(), [&](const CoverAlong* c) {
-      return c->overStep.on(piece) > 0 && c->underHeight.on(piece) < 0 && c->covers(piece);
-    });
+    for (; begun < spans.size() && spans[begun].begin <= piece.middle(); ++begun)
+      reached = std::max(reached, spans[begun].end);
+    return reached <= piece.middle();
   }),
                  walls_);
 }

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <random>
 
 #include "footfall/io.hpp"
 #include "tests/reference/radius_promise.hpp"
+#include "tests/support/pipeline_case.hpp"
 #include "tests/support/run_filters.hpp"
+#include "tests/support/soup.hpp"
 #include "tests/support/soup_generators.hpp"
 #include "tests/unit/environment_files.hpp"
 
@@ -74,6 +77,7 @@ class TestRadiusPromise : public QObject {
     for (const char* name : {"house", "villa"})
       addRows(QString("%1, walls and ledges").arg(name), QString(FOOTFALL_SOURCE_DIR "/samples/%1/%1.obj").arg(name), 2,
               0.3, 0.1);
+    addRows("proto-level, on a grid, walls and ledges", "scenes/proto-level.glb", 2, 0.3, 0.1);
     addRows("nav_test, walls alone", "nav_test.obj", 2, 0.3, 0);
     addRows("villa, ledges more", QString(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj"), 2, 0.3, 0.6);
     addRows("villa, walls alone", QString(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj"), 2, 0.3, 0);
@@ -95,6 +99,25 @@ class TestRadiusPromise : public QObject {
     QCOMPARE(tally.wrong, std::size_t{0});
     QVERIFY(tally.near + tally.far > 10 * tally.doubtful);
     QVERIFY(tally.near > 0);
+  }
+
+  // Rounding to a grid makes half of the upright walls lean away from the floors at their feet.
+  void wallsThatAGridTiltsAreWalls() {
+    constexpr double kGrid = 0x1p-12;
+    const auto areaWith = [](double lean, double grid) {
+      Soup soup = Soup().floor(0, 0, 8, 8, 0);
+      soup.quad({8, 0, 0}, {8, 8, 0}, {8 + lean, 8, 4}, {8 + lean, 0, 4});
+      const auto environment = soup.environment();
+      environment->grid.step = grid;
+      return area(
+          navigationMesh(runFilters(environment, minimalPipeline(2) + "\nStepFilter 0.25\nRadiusFilter 1 0.25\n")));
+    };
+    const double besideWall = areaWith(0, 0), besideLedge = areaWith(1, 0);
+    QVERIFY(std::fabs(besideWall - 7.5 * 6.75) < 0.2 && std::fabs(besideLedge - 7.5 * 7.5) < 0.2);
+    QVERIFY(std::fabs(areaWith(kGrid, 0) - besideLedge) < 1e-6);
+    QVERIFY(std::fabs(areaWith(kGrid, kGrid) - besideWall) < 1e-6);
+    QVERIFY(std::fabs(areaWith(-kGrid, kGrid) - besideWall) < 0.01);
+    QVERIFY(std::fabs(areaWith(64 * kGrid, kGrid) - besideLedge) < 1e-6);
   }
 
  private:
