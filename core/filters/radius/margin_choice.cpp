@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace footfall::detail {
 namespace {
@@ -122,14 +123,28 @@ bool MarginChoice::isFaceEdgeCovered(int k, const Stretch& stretch, const Candid
   return cover(stretches_, stretch);
 }
 
-bool MarginChoice::areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
-                              const Candidate* first, const Candidate* second) const {
+void MarginChoice::addEdges(const Candidate& candidate) {
+  constexpr double kMore = 0x1p-40;  // share of an edge: far more than the roundings of stretches and of their ends
+  const PlanVector* a = &candidate.outline.back();
+  for (const PlanVector& b : candidate.outline) {
+    const PlanVector from = *std::exchange(a, &b), along = b - from;
+    const Stretch inFace = maybeInsideOf(face_, from, b);
+    if (inFace.isEmpty()) continue;
+    Bounds bounds(std::array{from + inFace.begin * along, from + inFace.end * along});
+    const double more = kMore * (std::fabs(along.x) + std::fabs(along.y)) + MarginSurface::kUnit;
+    bounds.low = bounds.low - PlanVector{more, more};
+    bounds.high = bounds.high + PlanVector{more, more};
+    edges_.push_back({&candidate, from, b, inFace, bounds});
+  }
+}
+
+bool MarginChoice::isEdgeCovered(const Edge& edge, const Stretch& stretch, const Candidate* except) const {
   stretches_.clear();
-  const Bounds bounds(std::array{from, to});
   for (const Candidate& candidate : candidates_) {
-    if (!candidate.isNeeded || &candidate == first || &candidate == second || candidate.bounds.isApartFrom(bounds))
+    if (!candidate.isNeeded || &candidate == except || &candidate == edge.candidate ||
+        candidate.bounds.isApartFrom(edge.bounds))
       continue;
-    const Stretch inside = insideOf(candidate.outline, from, to);
+    const Stretch inside = insideOf(candidate.outline, edge.from, edge.to);
     if (inside.begin <= stretch.begin && inside.end >= stretch.end) return true;
     if (!inside.isEmpty()) stretches_.push_back(inside);
   }
@@ -141,23 +156,17 @@ bool MarginChoice::isCovered(const Candidate* except) const {
     const Stretch stretch = except != nullptr ? except->maybeOnEdges[k] : Stretch{};
     if (!stretch.isEmpty() && !isFaceEdgeCovered(k, stretch, except)) return false;
   }
-  const auto isOutlineCovered = [&](const Candidate& candidate) {
-    const PlanVector* a = &candidate.outline.back();
-    for (const PlanVector& b : candidate.outline) {
-      Stretch stretch = maybeInsideOf(face_, *a, b);
-      if (except != nullptr && &candidate != except && !stretch.isEmpty()) {
-        const Stretch within = maybeInsideOf(except->outline, *a, b);
-        stretch = {std::max(stretch.begin, within.begin), std::min(stretch.end, within.end)};
-      }
-      if (!stretch.isEmpty() && !areCovered(stretch, *a, b, except, &candidate)) return false;
-      a = &b;
-    }
-    return true;
+  const auto isOwnCovered = [&](const Edge& edge) {
+    return edge.candidate != except || isEdgeCovered(edge, edge.inFace, except);
   };
-  if (except != nullptr && !isOutlineCovered(*except)) return false;
-  return std::all_of(candidates_.begin(), candidates_.end(), [&](const Candidate& candidate) {
-    return !candidate.isNeeded || &candidate == except ||
-           (except != nullptr && candidate.bounds.isApartFrom(except->bounds)) || isOutlineCovered(candidate);
+  if (except != nullptr && !std::all_of(edges_.begin(), edges_.end(), isOwnCovered)) return false;
+  return std::all_of(edges_.begin(), edges_.end(), [&](const Edge& edge) {
+    if (!edge.candidate->isNeeded || edge.candidate == except) return true;
+    if (except == nullptr) return isEdgeCovered(edge, edge.inFace, nullptr);
+    if (edge.bounds.isApartFrom(except->bounds)) return true;
+    const Stretch within = maybeInsideOf(except->outline, edge.from, edge.to);
+    const Stretch stretch{std::max(edge.inFace.begin, within.begin), std::min(edge.inFace.end, within.end)};
+    return stretch.isEmpty() || isEdgeCovered(edge, stretch, except);
   });
 }
 
@@ -168,6 +177,8 @@ MarginChoice::Result MarginChoice::chooseOn(const std::array<PlanVector, 3>& cor
   const Bounds face(face_);
   for (const Index number : numbers)
     if (add(number, face) && holdsFace(candidates_.back())) return {true, {}};
+  edges_.clear();
+  for (const Candidate& candidate : candidates_) addEdges(candidate);
   if (isCovered(nullptr)) return {true, {}};
   if (candidates_.size() > 1)
     for (Candidate& candidate : candidates_)

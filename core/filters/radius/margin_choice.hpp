@@ -52,7 +52,15 @@ class MarginChoice {
     std::array<Stretch, 3> onEdges, maybeOnEdges;  ///< stretches of the face's edges that are inside for certain, or
                                                    ///< may be
   };
+  /// An edge of a candidate, and the part of it that may be inside the face.
+  struct Edge {
+    const Candidate* candidate = nullptr;
+    PlanVector from, to;
+    Stretch inFace;
+    Bounds bounds;  ///< of that part, and a little more than its places can be off
+  };
   bool add(Index margin, const Bounds& face);
+  void addEdges(const Candidate& candidate);
   /// A convex polygon holds a triangle when it holds its outline.
   static bool holdsFace(const Candidate& c) {
     return c.onEdges[0].isWhole() && c.onEdges[1].isWhole() && c.onEdges[2].isWhole();
@@ -61,8 +69,8 @@ class MarginChoice {
   static Stretch part(Outline outline, const PlanVector& from, const PlanVector& to, int doubt);
   static Stretch insideOf(Outline o, const PlanVector& from, const PlanVector& to) { return part(o, from, to, -1); }
   static Stretch maybeInsideOf(Outline o, const PlanVector& from, const PlanVector& to) { return part(o, from, to, 1); }
-  [[nodiscard]] bool areCovered(const Stretch& stretch, const PlanVector& from, const PlanVector& to,
-                                const Candidate* first, const Candidate* second) const;
+  /// True when needed candidates but `except` (may be null) and its own cover a stretch of an edge.
+  [[nodiscard]] bool isEdgeCovered(const Edge& edge, const Stretch& stretch, const Candidate* except) const;
   [[nodiscard]] bool isFaceEdgeCovered(int k, const Stretch& stretch, const Candidate* except) const;
   /// True when needed candidates but `except` (may be null) cover the face, or the part of it in `except`.
   [[nodiscard]] bool isCovered(const Candidate* except) const;
@@ -70,6 +78,7 @@ class MarginChoice {
   const std::vector<Margin>& margins_;
   std::array<PlanVector, 3> face_;
   std::vector<Candidate> candidates_;
+  std::vector<Edge> edges_;  ///< those with a part that may be inside the face, by candidate
   std::vector<Index> needed_;
   mutable std::vector<Stretch> stretches_;  ///< stretches of one edge
 };
