@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
 #include <utility>
 
 #include "core/base/index_and_box.hpp"
+#include "core/base/numbered_table.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
@@ -62,7 +62,9 @@ class Neighbourhood {
     const Index first = triangleOf(gap.first), second = triangleOf(gap.second);
     const double column = std::floor(place.x / side_), row = std::floor(place.y / side_);
     if (!(std::max(std::fabs(column), std::fabs(row)) < kMostSquares)) return search(first, second, place);
-    Square& square = squares_[{static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)}];
+    const auto [number, isNew] = squareAt_.insert({static_cast<std::int32_t>(column), static_cast<std::int32_t>(row)});
+    if (isNew) squares_.emplace_back();
+    Square& square = squares_[static_cast<std::size_t>(number)];
     const Index group = square.groupOf(first);
     if (group >= 0 && group == square.groupOf(second)) return true;
     if (!search(first, second, place)) return false;
@@ -182,7 +184,8 @@ class Neighbourhood {
 
   const BorderSplits& splits_;
   double reach_, side_;
-  std::map<std::array<std::int32_t, 2>, Square> squares_;
+  NumberedTable<std::array<std::int32_t, 2>> squareAt_;
+  std::vector<Square> squares_;        ///< by number in squareAt_
   std::vector<Index> borderAt_;        ///< by side
   std::vector<Index> beyond_;          ///< by side: the triangle behind a side that is no border, or -1
   std::vector<std::uint64_t> stamps_;  ///< by triangle: the last search that reached it, and from which end
