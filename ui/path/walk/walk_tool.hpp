@@ -65,7 +65,7 @@ class WalkTool : public QObject, public ViewTool {
   WalkBody body_;
   double metresPerUnit_ = 1;
   double speed_ = 1.4;
-  std::shared_ptr<const PathFinder> finder_;  ///< the ground's; null until it is prepared
+  std::shared_ptr<const PathFinder> finder_;   ///< the ground's; null until it is prepared
   std::shared_ptr<const PathFinder> earlier_;  ///< an earlier ground's, of which the next one is made
   std::optional<GroundWalk> walk_;
   Sight sight_;
