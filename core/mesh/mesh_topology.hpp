@@ -16,9 +16,31 @@ inline bool hasObstacle(const std::vector<MeshTriangle>& triangles, Index side) 
 }
 
 /// An obstacle stands on the edge of these sides, seen from any of its triangles.
-bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Index> sides);
+inline bool isObstacle(const std::vector<MeshTriangle>& triangles, std::span<const Index> sides) {
+  for (const Index side : sides)
+    if (hasObstacle(triangles, side)) return true;
+  return false;
+}
 
-/// The side of a triangle that goes from vertex `from` to vertex `to`, or -1.
+/// Finds edges and sides by their vertices. The triangles and their topology must outlive it.
+class SideFinder {
+ public:
+  /// `searches` is the number of searches to come, about: many are worth a list of the edges at each vertex.
+  SideFinder(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, std::size_t searches);
+
+  /// The edge between two vertices, or -1.
+  [[nodiscard]] Index edgeBetween(Index a, Index b) const;
+  /// The side of a triangle that goes from vertex `from` to vertex `to`, or -1.
+  [[nodiscard]] Index find(Index from, Index to) const;
+
+ private:
+  TriangleCorners corners_;
+  const Adjacency& topology_;
+  /// The first edge with each vertex as the smaller one, and the end; empty for few searches.
+  std::vector<Index> firstEdge_;
+};
+
+/// The same for a single one.
 Index findSide(const std::vector<MeshTriangle>& triangles, const Adjacency& topology, Index from, Index to);
 
 /// The links whose two edges are sides of some of `triangles`, which are over the same vertices; `topology` is theirs.

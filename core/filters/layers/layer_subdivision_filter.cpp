@@ -16,8 +16,8 @@
 
 #include "core/assembly/mesh_assembly.hpp"
 #include "core/base/counted_text.hpp"
+#include "core/base/lexicographic_order.hpp"
 #include "core/base/parallel.hpp"
-#include "core/base/parallel_sort.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
@@ -149,16 +149,17 @@ class LayerSubdivision {
   }
 
   void sortByHeight(const std::vector<char>& divided) {
-    std::vector<std::pair<double, Index>> heights;
+    std::vector<Index> triangles;
     for (Index t = 0; t < count_; ++t)
-      if (divided[region_[t]] != 0) heights.push_back({lowest_[t], t});
-    parallelSort(heights.begin(), heights.end());
+      if (divided[region_[t]] != 0) triangles.push_back(t);
+    const auto heightOf = [&](std::uint32_t i, int axis) { return axis == 0 ? lowest_[triangles[i]] : 0; };
+    const std::vector<std::uint32_t> order = lexicographicOrder(triangles.size(), heightOf, context_);
     context_.checkCancelled();
-    input_.byHeight.resize(heights.size());
+    input_.byHeight.resize(order.size());
     input_.rank.assign(count_, -1);
-    for (std::size_t rank = 0; rank < heights.size(); ++rank) {
-      input_.byHeight[rank] = heights[rank].second;
-      input_.rank[heights[rank].second] = static_cast<Index>(rank);
+    for (std::size_t rank = 0; rank < order.size(); ++rank) {
+      input_.byHeight[rank] = triangles[order[rank]];
+      input_.rank[input_.byHeight[rank]] = static_cast<Index>(rank);
     }
   }
 

@@ -2,12 +2,13 @@
 #include "core/filters/rounding/rounded_links.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <tuple>
 #include <utility>
 
-#include "core/base/parallel_sort.hpp"
 #include "core/base/sorted_list.hpp"
 #include "core/base/vector.hpp"
 #include "core/mesh/gap_bridges.hpp"
@@ -22,9 +23,15 @@ Place placeOf(const Vec3& v) { return {v.x, v.y, v.z}; }
 class Borders {
  public:
   Borders(const NavigationMesh& mesh, std::vector<Index> sides)
-      : mesh_(mesh), corners_(mesh.triangles), sides_(std::move(sides)) {
-    parallelSort(sides_.begin(), sides_.end(),
-                 [&](Index a, Index b) { return std::pair(placeOf(begin(a)), a) < std::pair(placeOf(begin(b)), b); });
+      : mesh_(mesh),
+        corners_(mesh.triangles),
+        first_(std::bit_ceil(2 * sides.size() + 1), -1),
+        sides_(std::move(sides)),
+        next_(sides_.size(), -1) {
+    std::sort(sides_.begin(), sides_.end());
+    // Those that begin at a place come in the order of their numbers.
+    for (std::size_t i = sides_.size(); i-- > 0;)
+      next_[i] = std::exchange(first_[bucketOf(begin(sides_[i]))], static_cast<Index>(i));
   }
 
   /// The sides that lead from one place to another, or nothing. Where a border was divided, it goes on with the side
@@ -50,26 +57,36 @@ class Borders {
   [[nodiscard]] const Vec3& end(Index side) const { return mesh_.vertices[corners_.endOf(side)]; }
 
   [[nodiscard]] Index nextSide(const Vec3& at, const Vec3& to) const {
-    const auto first = std::lower_bound(sides_.begin(), sides_.end(), at, [&](Index side, const Vec3& place) {
-      return placeOf(begin(side)) < placeOf(place);
-    });
     const Vec3 way = to - at;
     Index best = -1;
     double straightest = 0;
-    for (auto it = first; it != sides_.end() && begin(*it) == at; ++it) {
-      if (end(*it) == to) return *it;
-      const Vec3 step = end(*it) - at;
+    for (Index i = first_[bucketOf(at)]; i >= 0; i = next_[i]) {
+      const Index side = sides_[i];
+      if (!(begin(side) == at)) continue;
+      if (end(side) == to) return side;
+      const Vec3 step = end(side) - at;
       const double along = dot(step, way), straightness = along / std::sqrt(dot(step, step));
       if (along >= dot(way, way) || straightness <= straightest) continue;
       straightest = straightness;
-      best = *it;
+      best = side;
     }
     return best;
   }
 
+  [[nodiscard]] std::size_t bucketOf(const Vec3& place) const {
+    std::uint64_t key = 0;
+    for (const double x : {place.x, place.y, place.z}) {
+      key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 equals 0
+      key ^= key >> 32;
+    }
+    return static_cast<std::size_t>(key) & (first_.size() - 1);
+  }
+
   const NavigationMesh& mesh_;
   TriangleCorners corners_;
-  std::vector<Index> sides_;  ///< of borders, by the places where they begin
+  std::vector<Index> first_;  ///< for each bucket of places the first side that begins there, in sides_
+  std::vector<Index> sides_;  ///< of borders
+  std::vector<Index> next_;   ///< for each side the next one in its bucket
 };
 
 }  // namespace

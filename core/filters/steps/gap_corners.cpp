@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
 #include <utility>
 
 #include "core/base/index_and_box.hpp"
+#include "core/base/lexicographic_order.hpp"
 #include "core/base/numbered_table.hpp"
 #include "core/base/triangle_tree.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -24,10 +26,11 @@ constexpr double kEverywhere = 0.64;
 constexpr double kMostSquares = 0x1p30;
 /// A square is grouped after this many searches in it, and again after twice as many each time.
 constexpr std::size_t kFirstSearches = 4;
-/// A group ends after this many triangles; further triangles are searched for one by one.
+/// A group ends after this many triangles; further triangles are searched for one by one. This limit, as that of
+/// searches, decides which needless gaps are found. Each run searches among all gaps anew, after edits too, so that the
+/// answer does not depend on earlier runs.
 constexpr std::size_t kMostGrouped = 1 << 14;
 constexpr std::size_t kPolled = 1024;
-constexpr Index kEdgesPolled = 1 << 16;
 
 /// The connections around a place: the mesh with its steps, and the gaps that are needed in any case.
 class Neighbourhood {
@@ -36,13 +39,13 @@ class Neighbourhood {
       : splits_(splits),
         reach_(reach),
         side_(reach / 2),
+        sides_(splits.mesh().triangles, splits.topology(), splits.borders().size()),
         borderAt_(3 * splits.mesh().triangles.size(), -1),
-        beyond_(borderAt_.size(), -1),
+        beyond_(borderAt_.size(), kUnknown),
         stamps_(splits.mesh().triangles.size(), 0),
         firstWay_(splits.borders().size(), -1) {
     const auto count = static_cast<Index>(splits.borders().size());
     for (Index number = 0; number < count; ++number) borderAt_[splits.border(number).side] = number;
-    findBeyond(poll);
     for (std::size_t i = 0; i < steps.size(); ++i) {
       if (i % kPolled == 0) poll();
       const PlanSegment part = planSegment(steps[i].begin, steps[i].end);
@@ -76,15 +79,31 @@ class Neighbourhood {
   }
 
  private:
+
   /// Triangles that hang together right at every place of a square of the plan, in groups. Ways only ever come in:
   /// what hangs together stays so.
   struct Square {
     std::size_t searches = 0, next = kFirstSearches;
     Index groups = 0;
-    std::vector<std::array<Index, 2>> groupAt;  ///< triangles with their groups, ascending
+    std::vector<std::array<Index, 2>> groupAt;  ///< triangles with their groups, in a table of open addresses
     [[nodiscard]] Index groupOf(Index triangle) const {
-      const auto at = std::lower_bound(groupAt.begin(), groupAt.end(), std::array<Index, 2>{triangle, 0});
-      return at != groupAt.end() && (*at)[0] == triangle ? (*at)[1] : -1;
+      if (groupAt.empty()) return -1;
+      for (std::size_t place = placeOf(triangle); groupAt[place][0] >= 0; place = (place + 1) & (groupAt.size() - 1))
+        if (groupAt[place][0] == triangle) return groupAt[place][1];
+      return -1;
+    }
+    void setGroups(const std::vector<std::array<Index, 2>>& all) {
+      groupAt.assign(std::bit_ceil(2 * all.size() + 1), {-1, -1});
+      for (const auto& known : all) {
+        std::size_t place = placeOf(known[0]);
+        while (groupAt[place][0] >= 0) place = (place + 1) & (groupAt.size() - 1);
+        groupAt[place] = known;
+      }
+    }
+
+   private:
+    [[nodiscard]] std::size_t placeOf(Index triangle) const {
+      return (static_cast<std::size_t>(triangle) * 0x9E3779B97F4A7C15U >> 32) & (groupAt.size() - 1);
     }
   };
 
@@ -106,9 +125,8 @@ class Neighbourhood {
     for (const Index other : reached) groups.push_back({other, square.groups});
     ++square.groups;
     for (const auto& known : square.groupAt)
-      if (isNew(known[0])) groups.push_back(known);
-    std::sort(groups.begin(), groups.end());
-    square.groupAt = std::move(groups);
+      if (known[0] >= 0 && isNew(known[0])) groups.push_back(known);
+    square.setGroups(groups);
   }
 
   /// Searches alternately from both sides. When one side has reached everything that is connected with it, the sides
@@ -144,21 +162,19 @@ class Neighbourhood {
     Index next = -1;
   };
 
-  // Finds the triangles beyond sides that are no borders.
-  void findBeyond(Poll poll) {
-    const Adjacency& topology = splits_.topology();
+  static constexpr Index kUnknown = -2;
+
+  /// The triangle behind a side that is no border, or -1. Most searches see a small part of the mesh.
+  [[nodiscard]] Index beyond(Index side) {
+    Index& known = beyond_[side];
+    if (known != kUnknown) return known;
+    known = -1;
     const TriangleCorners corners(splits_.mesh().triangles);
-    for (Index e = 0; e < topology.edgeCount(); ++e) {
-      if (e % kEdgesPolled == 0) poll();
-      const auto sides = topology.sidesOf(e);
-      for (const Index side : sides) {
-        if (borderAt_[side] >= 0) continue;
-        const auto other = std::find_if(sides.begin(), sides.end(),
-                                        [&](Index s) { return corners.beginOf(s) == corners.endOf(side); });
-        if (other != sides.end()) beyond_[side] = *other / 3;
-      }
-    }
+    const Index from = corners.beginOf(side), to = corners.endOf(side);
+    if (const Index other = sides_.find(to, from); other >= 0) known = other / 3;
+    return known;
   }
+
   void addWay(Index border, Way way) {
     way.next = std::exchange(firstWay_[border], static_cast<Index>(ways_.size()));
     ways_.push_back(way);
@@ -166,7 +182,7 @@ class Neighbourhood {
   /// Calls visit(triangle) for triangles on the other side of an edge, a step or a gap near a place. isNew(triangle)
   /// must hold; it is cheaper than the distance of the edge and is tested first.
   template <class IsNew, class Visit>
-  void visitNeighbours(Index triangle, const Vec3& place, double reach, const IsNew& isNew, const Visit& visit) const {
+  void visitNeighbours(Index triangle, const Vec3& place, double reach, const IsNew& isNew, const Visit& visit) {
     const WalkableMesh& mesh = splits_.mesh();
     const auto& corners = mesh.triangles[triangle].corners;
     for (int k = 0; k < 3; ++k) {
@@ -174,9 +190,9 @@ class Neighbourhood {
       if (border >= 0) {
         for (Index w = firstWay_[border]; w >= 0; w = ways_[w].next)
           if (isNew(ways_[w].other) && ways_[w].part.isNear(place, reach)) visit(ways_[w].other);
-      } else if (beyond_[side] >= 0 && isNew(beyond_[side])) {
+      } else if (const Index other = beyond(side); other >= 0 && isNew(other)) {
         const MeshVertex &a = mesh.vertices[corners[k]], &b = mesh.vertices[corners[next(k)]];
-        if (planSegment(a, b).isNear(place, reach)) visit(beyond_[side]);
+        if (planSegment(a, b).isNear(place, reach)) visit(other);
       }
     }
   }
@@ -184,10 +200,11 @@ class Neighbourhood {
 
   const BorderSplits& splits_;
   double reach_, side_;
+  SideFinder sides_;
   NumberedTable<std::array<std::int32_t, 2>> squareAt_;
   std::vector<Square> squares_;        ///< by number in squareAt_
   std::vector<Index> borderAt_;        ///< by side
-  std::vector<Index> beyond_;          ///< by side: the triangle behind a side that is no border, or -1
+  std::vector<Index> beyond_;          ///< by side: beyond(), or kUnknown
   std::vector<std::uint64_t> stamps_;  ///< by triangle: the last search that reached it, and from which end
   std::uint64_t search_ = 0;
   std::array<std::vector<Index>, 2> reached_;
@@ -199,12 +216,15 @@ bool isOptional(const GapStretch& gap) { return gap.piece.corner.has_value(); }
 double lengthOf(const GapStretch& gap) { return gap.piece.ends[1] - gap.piece.ends[0]; }
 
 /// Sorts ascending numbers of gaps in the order in which they are needed: the longest first.
-void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretch>& gaps) {
-  std::vector<std::pair<double, std::size_t>> byLength;  // negative lengths; gaps themselves are large
-  byLength.reserve(numbers.size());
-  for (const std::size_t number : numbers) byLength.emplace_back(-lengthOf(gaps[number]), number);
-  std::sort(byLength.begin(), byLength.end());
-  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = byLength[i].second;
+void sortByLength(std::vector<std::size_t>& numbers, const std::vector<GapStretch>& gaps, const Poll& poll) {
+  std::vector<double> lengths;  // gaps themselves are large
+  lengths.reserve(numbers.size());
+  for (const std::size_t number : numbers) lengths.push_back(lengthOf(gaps[number]));
+  const auto valueOf = [&](std::uint32_t i, int axis) { return axis == 0 ? -lengths[i] : 0; };
+  const std::vector<std::uint32_t> order = lexicographicOrder(numbers.size(), valueOf, poll);
+  std::vector<std::size_t> sorted(numbers.size());
+  for (std::size_t i = 0; i < order.size(); ++i) sorted[i] = numbers[order[i]];
+  numbers = std::move(sorted);
 }
 
 /// Moves the chosen gaps from one list to another, in their order.
@@ -234,7 +254,7 @@ void NeedlessGaps::takeFrom(std::vector<GapStretch>& gaps, const std::vector<Ste
     else
       neighbourhood.add(gaps[i]);
   }
-  sortByLength(optional, gaps);
+  sortByLength(optional, gaps, poll);
   std::vector<char> isNeedless(gaps.size(), 0);
   for (const std::size_t i : optional) {
     poll();
@@ -283,7 +303,7 @@ std::vector<GapStretch> NeedlessGaps::takeNeeded(const std::vector<PlanSegment>&
   if (near.empty()) return needed;
   Neighbourhood neighbourhood(steps, splits_, reach_, poll);
   for (const GapWay& way : findWays()) neighbourhood.add(way);
-  sortByLength(near, gaps_);
+  sortByLength(near, gaps_, poll);
   std::vector<char> isNeeded(gaps_.size(), 0);
   for (const std::size_t i : near) {
     poll();

@@ -4,10 +4,19 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+#include <memory>
+#include <optional>
+#include <random>
+#include <string>
+#include <utility>
 
 #include "core/io/import.hpp"
+#include "footfall/edit.hpp"
+#include "footfall/path.hpp"
 #include "footfall/pipeline.hpp"
 #include "footfall/run.hpp"
+#include "tests/support/changed_level.hpp"
+#include "tests/support/live_runs.hpp"
 
 using namespace footfall;
 using namespace footfall::detail;
@@ -51,6 +60,54 @@ class TestScenes : public QObject {
     QVERIFY(first.count("\nf ") >= 3000);
     QVERIFY(made("1") == first);
     QVERIFY(made("2") != first);
+  }
+
+  // Off the grid, no two coordinates agree. Edits give the bytes of runs from nothing, and the path finder that follows
+  // them gives the paths of a new one.
+  void editsOfTurnedScenes_data() {
+    QTest::addColumn<QString>("kind");
+    for (const char* kind : {"noise", "office"}) QTest::newRow(kind) << QString(kind);
+  }
+  void editsOfTurnedScenes() {
+    QFETCH(QString, kind);
+    const QString path = folder_.filePath("edited.obj");
+    QCOMPARE(generate({kind, "5000", path, "3"}), 0);
+    test::LevelChange turned;
+    turned.degrees = 17;
+    const auto level = test::changedLevel(*importEnvironment(path.toStdString()), turned, GridChoice::Off);
+    const std::string pipeline = formatPipeline(defaultPipeline(*level));
+    ResultCache cache;
+    const RunResult first = test::run(level, pipeline, &cache);
+    QVERIFY(!first.mesh->triangles.empty());
+    auto finder = std::make_unique<const PathFinder>(first.mesh);
+    EditableEnvironment editable(level);
+    std::optional<ObstacleId> crate;
+    std::mt19937 random(5);
+    const auto anyPlace = [&](const NavigationMesh& mesh) {
+      return mesh.vertices[mesh.triangles[random() % mesh.triangles.size()][random() % 3]];
+    };
+    for (int edit = 0; edit < 3; ++edit) {
+      const Vec3 foot = anyPlace(*first.mesh);
+      const double width = 0.3 + 0.1 * (edit % 3);
+      const TriangleSoup box = test::soupFor(test::Soup().box({foot.x - width, foot.y - width, foot.z - 0.1},
+                                                              {foot.x + width, foot.y + width, foot.z + 1}));
+      if (crate)
+        editable.replace(*crate, box);
+      else
+        crate = editable.add(box);
+      QVERIFY(test::agrees(editable.environment(), pipeline, cache));
+      const RunResult now = test::run(editable.environment(), pipeline, &cache);
+      auto next = std::make_unique<const PathFinder>(now.mesh, *finder);
+      finder = std::move(next);
+      const PathFinder anew(now.mesh);
+      for (int i = 0; i < 10; ++i) {
+        const Vec3 from = anyPlace(*now.mesh), to = anyPlace(*now.mesh);
+        const PathResult path = finder->find(from, to), expected = anew.find(from, to);
+        QCOMPARE(path.status, expected.status);
+        QCOMPARE(path.planLength, expected.planLength);
+        QVERIFY(path.points == expected.points && path.triangles == expected.triangles);
+      }
+    }
   }
 
   void wrongArgumentsAreRefused() {
