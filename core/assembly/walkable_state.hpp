@@ -51,7 +51,7 @@ struct WalkableState {
   std::shared_ptr<const StepMemory> stepMemory;
   /// The same of the last RadiusFilter.
   std::shared_ptr<const RadiusMemory> radiusMemory;
-  /// Pairs of triangles that the last LayerSubdivisionFilter found above one another; null unless it was to keep them.
+  /// Pairs of triangles above one another that the last LayerSubdivisionFilter met; null unless it was to keep them.
   std::shared_ptr<const std::vector<std::array<Index, 2>>> overlaps;
 };
 

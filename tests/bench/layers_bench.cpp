@@ -51,7 +51,7 @@ void measure(const std::string& name, const std::shared_ptr<const Environment>& 
              Table& table) {
   RunContext context;
   StatePtr state = makeInitialState(environment, context);
-  double clearance = 0, layers = 0, layersOnTwo = 0, withPairs = 0;
+  double clearance = 0, layers = 0, layersOnTwo = 0, kept = 0;
   for (const PipelineStep& step : pipeline.steps) {
     if (!step.enabled) continue;
     StatePtr result;
@@ -63,7 +63,7 @@ void measure(const std::string& name, const std::shared_ptr<const Environment>& 
     } else if (step.filter->type == FilterType::LayerSubdivision) {
       Recall keeping;
       keeping.keep = true;
-      withPairs = onThreads(1, [&] { apply(keeping); });
+      kept = onThreads(1, [&] { apply(keeping); });
       layersOnTwo = onThreads(2, [&] { apply({}); });
       layers = onThreads(1, [&] { apply({}); });
     } else {
@@ -74,13 +74,13 @@ void measure(const std::string& name, const std::shared_ptr<const Environment>& 
   const auto mesh = makeNavigationMesh(state, context);
   const auto count = [](std::size_t n) { return grouped(static_cast<double>(n)); };
   table.addRow({name, count(state->mesh->triangles.size()), number(clearance), number(layers),
-                number(layers / clearance), number(layersOnTwo), number(withPairs), count(mesh->layerCount),
+                number(layers / clearance), number(layersOnTwo), number(kept), count(mesh->layerCount),
                 count(leastLayers(*mesh)), count(mesh->connections.size()), count(leastConnections(*mesh))});
 }
 
 void run(const std::vector<std::string>& files) {
   Table table({"environment", "triangles", "VerticalClearance", "LayerSubdivision", "over it", "on two threads",
-               "with pairs for edits", "layers", "at least", "connections", "at least"});
+               "kept for edits", "layers", "at least", "connections", "at least"});
   std::vector<Subject> subjects;
   for (const std::string& file : files) subjects.push_back(parseSubject(file, 2));
   for (const Subject& subject : sampleSubjects()) subjects.push_back(subject);

@@ -17,27 +17,20 @@ constexpr double kHalfSide = 0x1p37;
 constexpr int kDeepest = 24;
 double areaOf(const BoxTree<2>::Bounds& box) { return (box.upper[0] - box.lower[0]) * (box.upper[1] - box.lower[1]); }
 
-constexpr std::size_t kSquaresOfPiece = 4, kPiecesPerTask = 64, kVerticesPerTask = 2048;
+constexpr std::size_t kSquaresOfPiece = 4, kPiecesPerTask = 64;
 constexpr std::uint32_t kManyLayers = 8;       ///< from so many on, squares prove that pieces overlap
 constexpr std::uint32_t kVeryManyLayers = 64;  ///< from so many on, four of each triangle
 constexpr std::size_t kMostMiddles = 8;
-constexpr std::size_t kFewTriangles = 64;  ///< of a piece that are all compared with the box of another
-constexpr std::size_t kFewPairs = 16;      ///< pairs of triangles that are compared without a tree
+constexpr std::size_t kFewTriangles = 16;  ///< of a piece, of which no tree is made
+constexpr std::size_t kFewLookUps = 16;    ///< among all triangles of a piece, before a tree is made of them
 
 }  // namespace
 
-LayerCover::LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh,
-                       const std::vector<std::span<const Index>>& pieces, RunContext& context)
-    : kernel_(kernel),
-      mesh_(mesh),
-      context_(context),
-      geometry_(kernel, mesh.vertices),
-      places_(mesh.vertices.size()),
-      pieces_(pieces.size()) {
-  parallelRanges(places_.size(), kVerticesPerTask, [&](const auto& range) {
-    context.checkCancelled();
-    for (std::size_t v = range.begin(); v != range.end(); ++v) places_[v] = planPlaceOf(mesh.vertices[v]);
-  });
+LayerCover::LayerCover(const LayerInput& input, const std::vector<std::span<const Index>>& pieces,
+                       const IndexLists& overlaps, RunContext& context)
+    : input_(input), overlaps_(overlaps), context_(context), pieces_(pieces.size()) {
+  if (input.knowsAll) return;
+  geometry_.emplace(*input.kernel, *input.vertices);
   forRanges(pieces.size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
     context.checkCancelled();
     for (std::size_t p = first; p < last; ++p) pieces_[p] = pieceOf(pieces[p]);
@@ -84,7 +77,8 @@ std::uint64_t LayerCover::keyOf(const Square& square) {
 bool LayerCover::holds(const PlanTriangle& t, double x, double y) const {
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t n = (k + 1) % 3;
-    if (filteredOrientation({t.x[k], t.y[k], t.error}, {t.x[n], t.y[n], t.error}, {x, y, 0}, kernel_.sign().slack) != 1)
+    if (filteredOrientation({t.x[k], t.y[k], t.error}, {t.x[n], t.y[n], t.error}, {x, y, 0},
+                            input_.kernel->sign().slack) != 1)
       return false;
   }
   return true;
@@ -99,34 +93,49 @@ bool LayerCover::isInside(const Square& square, const PlanTriangle& t) const {
   return true;
 }
 
-bool LayerCover::hasMiddleIn(const Piece& piece, const Piece& other) const {
-  const std::size_t step = piece.triangles.size() / kMostMiddles + 1;
-  for (std::size_t i = 0; i < piece.triangles.size(); i += step) {
-    const PlanTriangle own = planOf(piece.triangles[i]);
+bool LayerCover::hasMiddleIn(const Piece& piece, const Piece& other) {
+  const std::size_t step = piece.all.triangles.size() / kMostMiddles + 1;
+  for (std::size_t i = 0; i < piece.all.triangles.size(); i += step) {
+    const PlanTriangle own = planOf(piece.all.triangles[i]);
     const double x = (own.x[0] + own.x[1] + own.x[2]) / 3, y = (own.y[0] + own.y[1] + own.y[2]) / 3;
     const BoxTree<2>::Bounds place{{x, y}, {x, y}};
     if (areApart(place, other.bounds) || !holds(own, x, y)) continue;
-    bool found = false;
-    const auto test = [&](Index o) { found = found || holds(planOf(o), x, y); };
-    if (other.tree.size() > 0)
-      other.tree.visitOverlapping(place, test);
+    Index found = -1;
+    const auto test = [&](Index o) {
+      if (found < 0 && holds(planOf(o), x, y)) found = o;
+    };
+    if (other.all.tree.size() > 0)
+      other.all.tree.visitOverlapping(place, test);
     else
-      for (const Index o : other.triangles) test(o);
-    if (found) return true;
+      for (const Index o : other.all.triangles)
+        if (!areApart(place, boundsOf(o))) test(o);
+    if (found < 0) continue;
+    found_.push_back({piece.all.triangles[i], found});
+    return true;
   }
   return false;
 }
 
 LayerCover::Piece LayerCover::pieceOf(std::span<const Index> triangles) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  Piece piece{triangles, {}, {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}}, {}};
+  Piece piece;
+  piece.all.triangles = triangles;
+  piece.bounds = {{kInfinity, kInfinity}, {-kInfinity, -kInfinity}};
   for (const Index t : triangles) {
-    const BoxTree<2>::Bounds b = planBoundsOf(planOf(t));
+    const BoxTree<2>::Bounds& b = boundsOf(t);
     for (std::size_t k = 0; k < 2; ++k) {
       piece.bounds.lower[k] = std::min(piece.bounds.lower[k], b.lower[k]);
       piece.bounds.upper[k] = std::max(piece.bounds.upper[k], b.upper[k]);
     }
   }
+  if (input_.group.empty()) return piece;
+  GroupVote vote;
+  for (const Index t : triangles) vote.add(input_.group[t]);
+  piece.main = vote.main();
+  for (const Index t : triangles)
+    if (input_.group[t] != kSettled && (input_.group[t] < 0 || input_.group[t] != piece.main))
+      piece.otherList.push_back(t);
+  piece.others.triangles = piece.otherList;
   return piece;
 }
 
@@ -149,7 +158,7 @@ void LayerCover::addSquareAt(double x, double y, const PlanTriangle& triangle, d
 std::vector<LayerCover::Square> LayerCover::squaresIn(std::span<const Index> triangles) const {
   std::vector<std::pair<double, Index>> largest;
   for (const Index t : triangles) {
-    const BoxTree<2>::Bounds b = planBoundsOf(planOf(t));
+    const BoxTree<2>::Bounds& b = boundsOf(t);
     const double size = std::min(b.upper[0] - b.lower[0], b.upper[1] - b.lower[1]);
     if (!std::isfinite(size)) continue;
     largest.emplace_back(-size, t);
@@ -172,7 +181,7 @@ std::vector<LayerCover::Square> LayerCover::squaresIn(std::span<const Index> tri
 void LayerCover::findSquares() {
   forRanges(pieces_.size(), kPiecesPerTask, [&](std::size_t first, std::size_t last) {
     context_.checkCancelled();
-    for (std::size_t p = first; p < last; ++p) pieces_[p].inside = squaresIn(pieces_[p].triangles);
+    for (std::size_t p = first; p < last; ++p) pieces_[p].inside = squaresIn(pieces_[p].all.triangles);
   });
   nodes_.clear();
   for (const std::vector<Index>& layer : layers_)
@@ -202,6 +211,7 @@ void LayerCover::lookUp(const Piece& piece) {
 std::uint32_t LayerCover::firstInDoubt(std::uint32_t layer) const {
   for (bool moved = true; moved;) {
     moved = false;
+    for (; layer < layerCount() && blockedFor_[layer] == piece_; ++layer) moved = true;
     for (const Runs* runs : known_) {
       const std::uint32_t next = runs->firstMissing(layer);
       moved = moved || next != layer;
@@ -247,48 +257,62 @@ bool LayerCover::overlapsAnyOf(std::uint32_t layer) {
   return false;
 }
 
-void LayerCover::needTree(Piece& piece) {
-  if (piece.tree.size() > 0) return;
-  piece.tree.build(
-      {piece.triangles.begin(), piece.triangles.end()}, [&](Index t) { return planBoundsOf(planOf(t)); }, context_);
+void LayerCover::needTree(Set& set, std::size_t lookUps) {
+  set.lookUps += lookUps;
+  if (set.lookUps <= kFewLookUps || set.triangles.size() <= kFewTriangles || set.tree.size() > 0) return;
+  set.tree.build(
+      {set.triangles.begin(), set.triangles.end()}, [&](Index t) { return boundsOf(t); }, context_);
 }
 
 bool LayerCover::overlap(Piece& piece, Piece& other) {
-  const bool isSmaller = piece.triangles.size() <= other.triangles.size();
+  if (piece.main >= 0 && piece.main == other.main)
+    return overlap(piece.others, other.all) || overlap(other.others, piece.all);
+  const bool isSmaller = piece.all.triangles.size() <= other.all.triangles.size();
   Piece& few = isSmaller ? piece : other;
   Piece& many = isSmaller ? other : piece;
-  const bool withTree = few.triangles.size() * many.triangles.size() > kFewPairs;
-  if (withTree) needTree(many);
+  needTree(many.all, few.all.triangles.size());
   if (hasMiddleIn(few, many)) return true;
-  std::span<const Index> queries = few.triangles;
   std::vector<Index> near;
-  if (queries.size() > kFewTriangles) {
-    needTree(few);
-    few.tree.visitOverlapping(many.bounds, [&](Index t) { near.push_back(t); });
-    queries = near;
-  }
-  for (const Index t : queries) {
+  for (const Index t : few.all.triangles)
+    if (!haveApartInsides(boundsOf(t), many.bounds)) near.push_back(t);
+  return overlapAny(near, many.all);
+}
+
+bool LayerCover::overlap(Set& some, Set& others) {
+  const bool isSmaller = some.triangles.size() <= others.triangles.size();
+  return overlapAny((isSmaller ? some : others).triangles, isSmaller ? others : some);
+}
+
+bool LayerCover::overlapAny(std::span<const Index> triangles, Set& set) {
+  if (set.triangles.empty()) return false;
+  for (const Index t : triangles) {
     context_.checkCancelled();
+    const Index group = input_.group.empty() ? -1 : input_.group[t];
+    if (group == kSettled) continue;
+    const BoxTree<2>::Bounds& bounds = boundsOf(t);
     const PlanTriangle own = planOf(t);
-    const BoxTree<2>::Bounds bounds = planBoundsOf(own);
-    if (haveApartInsides(bounds, many.bounds)) continue;
-    bool found = false;
+    Index found = -1;
     const auto test = [&](Index o) {
-      if (found) return;
-      const PlanTriangle plan = planOf(o);
-      found = !haveApartInsides(bounds, planBoundsOf(plan)) && geometry_.overlap(own, plan);
+      if (found >= 0 || (group >= 0 && (input_.group[o] == group || input_.group[o] == kSettled))) return;
+      if (!haveApartInsides(bounds, boundsOf(o)) && geometry_->overlap(own, planOf(o))) found = o;
     };
-    if (withTree)
-      many.tree.visitOverlapping(bounds, test);
+    needTree(set, 1);
+    if (set.tree.size() > 0)
+      set.tree.visitOverlapping(bounds, test);
     else
-      for (const Index o : many.triangles) test(o);
-    if (found) return true;
+      for (const Index o : set.triangles) test(o);
+    if (found < 0) continue;
+    found_.push_back({t, found});
+    return true;
   }
   return false;
 }
 
 std::uint32_t LayerCover::firstFree(Index piece) {
   piece_ = piece;
+  for (const Index other : overlaps_[piece])
+    if (other < piece) blockedFor_[pieces_[other].layer] = piece;
+  if (input_.knowsAll) return firstInDoubt(0);
   lookUp(pieces_[piece]);
   std::uint32_t layer = firstInDoubt(0);
   findNear(layer);
@@ -296,14 +320,19 @@ std::uint32_t LayerCover::firstFree(Index piece) {
   return layer;
 }
 
-bool LayerCover::isFree(std::uint32_t layer) { return firstInDoubt(layer) == layer && !overlapsAnyOf(layer); }
+bool LayerCover::isFree(std::uint32_t layer) {
+  return firstInDoubt(layer) == layer && (input_.knowsAll || !overlapsAnyOf(layer));
+}
 
 void LayerCover::add(Index piece, std::uint32_t layer) {
   if (layer == layerCount()) {
     layers_.emplace_back();
-    if (layerCount() == kManyLayers || layerCount() == kVeryManyLayers) findSquares();
+    blockedFor_.push_back(-1);
+    const bool isTime = layerCount() == kManyLayers || layerCount() == kVeryManyLayers;
+    if (isTime && !input_.knowsAll) findSquares();
   }
   pieces_[piece].layer = layer;
+  if (input_.knowsAll) return;
   if (layerCount() >= kManyLayers) addSquares(pieces_[piece]);
   layers_[layer].push_back(piece);
   added_.insert(piece);

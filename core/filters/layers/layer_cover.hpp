@@ -1,16 +1,19 @@
-// Finds the layers to which a piece of the walkable area may go. Made for pieces so much above each other that a list
-// of all overlapping pairs would be far longer than the mesh.
+// Finds the layers to which a piece of the walkable area may go.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <unordered_map>
 #include <utility>
 #include <vector>
 
-#include "core/filters/layers/growing_triangles.hpp"
+#include "core/filters/layers/growing_boxes.hpp"
+#include "core/filters/layers/layer_pieces.hpp"
 #include "core/filters/layers/member_tree.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "footfall/run_context.hpp"
@@ -24,8 +27,9 @@ namespace footfall::detail {
 /// numbers, so that a tower of equal floors costs next to nothing.
 class LayerCover {
  public:
-  /// Each piece is a list of triangles; the lists must outlive this.
-  LayerCover(const PlanKernel& kernel, const WalkableMesh& mesh, const std::vector<std::span<const Index>>& pieces,
+  /// Each piece is a list of triangles. `overlaps` has the pieces that are known to overlap each one. All must outlive
+  /// this.
+  LayerCover(const LayerInput& input, const std::vector<std::span<const Index>>& pieces, const IndexLists& overlaps,
              RunContext& context);
 
   [[nodiscard]] std::uint32_t layerCount() const { return static_cast<std::uint32_t>(layers_.size()); }
@@ -36,7 +40,9 @@ class LayerCover {
   /// Adds a piece to a layer of which it overlaps nothing, or to a new one.
   void add(Index piece, std::uint32_t layer);
 
-  [[nodiscard]] ExactFallbacks fallbacks() const { return geometry_.fallbacks; }
+  [[nodiscard]] ExactFallbacks fallbacks() const { return geometry_ ? geometry_->fallbacks : ExactFallbacks(); }
+  /// Pairs of triangles that were found to overlap.
+  [[nodiscard]] const std::vector<std::array<Index, 2>>& found() const { return found_; }
 
  private:
   /// A square of the quadtree, of its level.
@@ -44,11 +50,19 @@ class LayerCover {
     int level = 0;
     std::uint32_t x = 0, y = 0;
   };
-  struct Piece {
+  /// Triangles among which others are looked up.
+  struct Set {
     std::span<const Index> triangles;
+    BoxTree<2> tree = {};     ///< of them, once it was needed
+    std::size_t lookUps = 0;  ///< number of them so far
+  };
+  struct Piece {
+    Set all;
     std::vector<Square> inside;  ///< squares of which every point lies inside the piece; none while layers are few
     BoxTree<2>::Bounds bounds;
-    BoxTree<2> tree;          ///< of the triangles, once it was needed
+    Index main = -1;  ///< the group of most triangles
+    std::vector<Index> otherList;
+    Set others;               ///< triangles that are not of it
     std::uint32_t layer = 0;  ///< of use once it was added
   };
   /// A set of numbers as runs: the first of each and the one behind its last.
@@ -80,21 +94,24 @@ class LayerCover {
   void findNear(std::uint32_t layer);
   void addNear(Index other);
   [[nodiscard]] bool overlapsAnyOf(std::uint32_t layer);
-  void needTree(Piece& piece);
+  /// Builds the tree of a set before so many look-ups, unless they are few.
+  void needTree(Set& set, std::size_t lookUps);
   [[nodiscard]] bool overlap(Piece& piece, Piece& other);
+  /// True when a triangle of one set overlaps one of the other.
+  [[nodiscard]] bool overlap(Set& some, Set& others);
+  /// True when one of some triangles overlaps one of a set.
+  [[nodiscard]] bool overlapAny(std::span<const Index> triangles, Set& set);
   /// True when a middle of one of some triangles of a piece lies inside another piece, for sure. False has no meaning.
-  [[nodiscard]] bool hasMiddleIn(const Piece& piece, const Piece& other) const;
+  [[nodiscard]] bool hasMiddleIn(const Piece& piece, const Piece& other);
   [[nodiscard]] bool holds(const PlanTriangle& triangle, double x, double y) const;
-  [[nodiscard]] PlanTriangle planOf(Index triangle) const {
-    return planTriangleOf(mesh_.triangles[static_cast<std::size_t>(triangle)],
-                          [this](Index v) -> const PlanPlace& { return places_[static_cast<std::size_t>(v)]; });
-  }
+  [[nodiscard]] PlanTriangle planOf(Index triangle) const { return input_.plan->planOf(triangle); }
+  [[nodiscard]] const BoxTree<2>::Bounds& boundsOf(Index triangle) const { return input_.plan->boundsOf(triangle); }
 
-  const PlanKernel& kernel_;
-  const WalkableMesh& mesh_;
+  const LayerInput& input_;
+  const IndexLists& overlaps_;
   RunContext& context_;
-  MeshGeometry geometry_;
-  std::vector<PlanPlace> places_;  ///< of the vertices
+  std::optional<MeshGeometry> geometry_;
+  std::vector<std::array<Index, 2>> found_;
   std::vector<Piece> pieces_;
   MemberTree added_;                        ///< of the boxes of pieces
   std::vector<std::vector<Index>> layers_;  ///< pieces of each
@@ -102,6 +119,7 @@ class LayerCover {
   // The piece for which firstFree() was called:
   Index piece_ = -1;
   std::vector<const Runs*> known_;  ///< sets of layers that it overlaps
+  std::vector<Index> blockedFor_;   ///< for each layer the last piece that is known to overlap one of its pieces
   /// A piece whose box has an inside in common with its own, in the list of a layer.
   struct Near {
     Index piece = -1;

@@ -14,11 +14,10 @@ namespace {
 
 constexpr Index kNone = -1;
 
-template <class Conflicts>
 class RegionSubdivision {
  public:
   RegionSubdivision(const LayerInput& input, std::span<const Index> triangles, std::span<const Index> ranks,
-                    std::vector<Index>& piece, Conflicts& conflicts, RunContext& context)
+                    std::vector<Index>& piece, PieceConflicts& conflicts, RunContext& context)
       : input_(input), triangles_(triangles), ranks_(ranks), piece_(piece), conflicts_(conflicts), context_(context) {}
 
   std::vector<Index> run() {
@@ -41,7 +40,7 @@ class RegionSubdivision {
       const Index blocked = kNone - 1 - piece;  // a triangle that overlaps the piece
       seeds_.push_back(seed);
       front.push(lowest);
-      conflicts_.begin();
+      conflicts_.begin(piece);
       while (!front.empty()) {
         if ((++polls & 1023) == 0) context_.checkCancelled();
         const Index t = input_.byHeight[front.top()];
@@ -52,7 +51,7 @@ class RegionSubdivision {
           continue;
         }
         piece_[t] = piece;
-        conflicts_.take(t, blocked);
+        conflicts_.take(t);
         for (const Index n : input_.neighbors[t])
           if (piece_[n] < 0 && piece_[n] != blocked) front.push(input_.rank[n]);
       }
@@ -65,7 +64,7 @@ class RegionSubdivision {
     for (const Index t : triangles_)
       for (const Index n : input_.neighbors[t])
         if (piece_[n] != piece_[t]) ++cuts[piece_[t]][piece_[n]];
-    conflicts_.beginUniting(triangles_, seeds_.size());
+    conflicts_.beginUniting(seeds_.size());
     context_.checkCancelled();
     using Candidate = std::tuple<int, Index, Index>;  // fewest connections (negative: most), then the pair
     std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
@@ -104,7 +103,7 @@ class RegionSubdivision {
   // Moves single triangles to a neighbouring piece while that saves connections.
   bool moveTriangles() {
     bool changed = false;
-    conflicts_.beginMoving(triangles_, seeds_.size());
+    conflicts_.beginMoving(seeds_.size());
     std::vector<Index> queue(triangles_.begin(), triangles_.end());
     for (std::size_t head = 0; head < queue.size(); ++head) {
       if ((head & 1023) == 0) context_.checkCancelled();
@@ -134,7 +133,7 @@ class RegionSubdivision {
   const LayerInput& input_;
   std::span<const Index> triangles_, ranks_;
   std::vector<Index>& piece_;
-  Conflicts& conflicts_;
+  PieceConflicts& conflicts_;
   RunContext& context_;
   std::vector<Index> seeds_;
 };
@@ -142,17 +141,11 @@ class RegionSubdivision {
 }  // namespace
 
 std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
-                                   std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context) {
-  ListedConflicts conflicts(input.overlaps, piece);
-  return RegionSubdivision(input, triangles, ranks, piece, conflicts, context).run();
-}
-
-std::vector<Index> subdivideRegion(const LayerInput& input, std::span<const Index> triangles,
-                                   std::span<const Index> ranks, const PlanKernel& kernel, const WalkableMesh& mesh,
-                                   std::vector<Index>& piece, RunContext& context, SearchCounts& counts) {
-  SearchedConflicts conflicts(kernel, mesh, triangles, input.number, piece, context);
+                                   std::span<const Index> ranks, std::vector<Index>& piece, RunContext& context,
+                                   SearchCounts& counts) {
+  PieceConflicts conflicts(input, triangles, piece, context);
   std::vector<Index> seeds = RegionSubdivision(input, triangles, ranks, piece, conflicts, context).run();
-  counts = conflicts.counts();
+  counts = conflicts.takeCounts();
   return seeds;
 }
 

@@ -5,12 +5,13 @@
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds. Outlines decide which regions lie above themselves (double_cover.hpp), and
 // triangles are looked up among those of a piece (piece_conflicts.hpp) or of the pieces of a layer (layer_cover.hpp).
-// All overlapping pairs of triangles are listed instead where later runs need them, unless there are far more of them
-// than triangles, as in a tower of thousands of floors or a spiral of hundreds of turns. The result is the same.
+// Where an earlier run left its layers and the overlaps that it met, most of that is known already
+// (known_overlaps.hpp). The result is the same.
 
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -18,12 +19,11 @@
 #include "core/base/counted_text.hpp"
 #include "core/base/lexicographic_order.hpp"
 #include "core/base/parallel.hpp"
+#include "core/base/sorted_list.hpp"
 #include "core/filters/filter_registry.hpp"
-#include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
 #include "core/filters/layers/layer_cover.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
-#include "core/filters/layers/plan_overlaps.hpp"
 #include "core/mesh/first_uses.hpp"
 #include "core/mesh/mesh_topology.hpp"
 
@@ -54,7 +54,7 @@ IndexLists listsOf(const std::vector<Pair>& pairs, Index count) {
 
 class LayerSubdivision {
  public:
-  /// `kernel` may be null where all pairs are given.
+  /// `kernel` may be null for runWith().
   LayerSubdivision(const PlanKernel* kernel, const WalkableMesh& mesh, const Adjacency& topology, RunContext& context)
       : kernel_(kernel),
         mesh_(mesh),
@@ -62,51 +62,51 @@ class LayerSubdivision {
         context_(context),
         count_(static_cast<Index>(mesh.triangles.size())) {}
 
-  std::vector<std::uint32_t> run(const Recall& recall) {
-    parallelInvoke([&] { findOverlaps(recall); },
-                   [&] {
-                     region_ = findRegions(mesh_, topology_, regionCount_);
-                     findLowest();
-                   });
-    context_.checkCancelled();
-    subdivideRegions();
-    context_.progress(kShareOfPieces);
-    return knowsAllOverlaps_ ? colourPieces() : placePieces();
+  std::vector<std::uint32_t> run(const StatePtr& before) {
+    parallelInvoke(
+        [&] {
+          plan_.emplace(mesh_, context_);
+          known_ = knownFrom(before, *kernel_, mesh_, *plan_, context_, fallbacks_);
+        },
+        [&] {
+          region_ = findRegions(mesh_, topology_, regionCount_);
+          findLowest();
+        });
+    input_.kernel = kernel_;
+    input_.vertices = &mesh_.vertices;
+    input_.plan = &*plan_;
+    return divide();
   }
 
   std::vector<std::uint32_t> runWith(std::vector<Pair> overlaps) {
-    overlaps_ = std::move(overlaps);
+    known_.pairs = std::move(overlaps);
+    known_.isAll = true;
     region_ = findRegions(mesh_, topology_, regionCount_);
     findLowest();
-    subdivideRegions();
-    return colourPieces();
+    return divide();
   }
 
-  /// All pairs for the next run, or null where there are too many. Call it once.
+  /// The overlaps that it met, for the next run. Call it once.
   std::shared_ptr<const std::vector<Pair>> takeOverlaps() {
-    return knowsAllOverlaps_ ? std::make_shared<const std::vector<Pair>>(std::move(overlaps_)) : nullptr;
+    std::vector<Pair>& pairs = known_.pairs;
+    // Pairs of earlier runs that have become many are found again where they are needed.
+    if (pairs.size() > kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_))
+      pairs.erase(pairs.begin(), pairs.begin() + static_cast<std::ptrdiff_t>(pairsBefore_));
+    for (Pair& pair : pairs) std::sort(pair.begin(), pair.end());
+    sortOnce(pairs);
+    return std::make_shared<const std::vector<Pair>>(std::move(pairs));
   }
 
   [[nodiscard]] const ExactFallbacks& fallbacks() const { return fallbacks_; }
 
  private:
-  void findOverlaps(const Recall& recall) {
-    const StatePtr& before = recall.before;
-    const auto earlier = EarlierResult::relate(before, *kernel_);
-    if (earlier && before->overlaps) {
-      const MeshRelation relation = relateMeshes(*earlier, *before->mesh, mesh_);
-      context_.checkCancelled();
-      if (relation.related > count_ / 2) {
-        overlaps_ = updatePlanOverlaps(*before->overlaps, relation, *kernel_, mesh_, context_, fallbacks_);
-        return;
-      }
-    }
-    knowsAllOverlaps_ = recall.keep;
-    if (!recall.keep) return;
-    const std::size_t most = kMostPairs + kMostPairsOfTriangle * static_cast<std::size_t>(count_);
-    auto found = findPlanOverlaps(*kernel_, mesh_, topology_, most, context_, fallbacks_);
-    knowsAllOverlaps_ = found.has_value();
-    if (found) overlaps_ = std::move(*found);
+  std::vector<std::uint32_t> divide() {
+    context_.checkCancelled();
+    pairsBefore_ = known_.pairs.size();
+    input_.knowsAll = known_.isAll;
+    subdivideRegions();
+    context_.progress(kShareOfPieces);
+    return placePieces();
   }
 
   void findLowest() {
@@ -163,25 +163,14 @@ class LayerSubdivision {
     }
   }
 
-  // Decides for each region whether it lies above itself; `within` receives the pairs that show it, where pairs are
-  // known.
-  std::vector<char> findDivided(std::vector<Pair>& within) {
-    if (!knowsAllOverlaps_)
-      return findDoubleCovers(region_, regionCount_, findTrianglesAcross(mesh_, topology_, context_), *kernel_, mesh_,
-                              context_, fallbacks_);
-    std::vector<char> divided(regionCount_, 0);
-    for (const auto& pair : overlaps_) {
-      if (region_[pair[0]] != region_[pair[1]]) continue;
-      divided[region_[pair[0]]] = 1;
-      within.push_back(pair);
-    }
-    return divided;
-  }
-
   // Numbers all pieces by the height of the triangles from which they grew.
   void subdivideRegions() {
+    const std::vector<char> divided =
+        findRegionsAboveThemselves(region_, regionCount_, known_, kernel_, mesh_, topology_, context_, fallbacks_);
     std::vector<Pair> within;
-    const std::vector<char> divided = findDivided(within);
+    for (const Pair& pair : known_.pairs)
+      if (region_[pair[0]] == region_[pair[1]]) within.push_back(pair);
+    input_.group = std::move(known_.group);
     parallelInvoke([&] { input_.overlaps = listsOf(within, count_); }, [&] { findNeighbors(divided); },
                    [&] { sortByHeight(divided); });
     context_.checkCancelled();
@@ -221,12 +210,13 @@ class LayerSubdivision {
       context_.checkCancelled();
       const std::span<const Index> own(triangles.data() + first[i], triangles.data() + first[i + 1]);
       const std::span<const Index> ownRanks(ranks.data() + first[i], ranks.data() + first[i + 1]);
-      seeds[regions[i]] = knowsAllOverlaps_
-                              ? subdivideRegion(input_, own, ownRanks, piece_, context_)
-                              : subdivideRegion(input_, own, ownRanks, *kernel_, mesh_, piece_, context_, counts[i]);
+      seeds[regions[i]] = subdivideRegion(input_, own, ownRanks, piece_, context_, counts[i]);
     });
     context_.checkCancelled();
-    for (const SearchCounts& own : counts) fallbacks_ += own.fallbacks;
+    for (const SearchCounts& own : counts) {
+      fallbacks_ += own.fallbacks;
+      known_.pairs.insert(known_.pairs.end(), own.found.begin(), own.found.end());
+    }
     for (Index t = 0; t < count_; ++t) {
       if (divided[region_[t]] != 0) continue;
       auto& seed = seeds[region_[t]];
@@ -254,68 +244,25 @@ class LayerSubdivision {
   }
 
   // Each piece, lowest first, goes to the layer without overlap with which it shares most edges, else the first one.
-  std::vector<std::uint32_t> colourPieces() {
-    // Pieces above and beside each other, once for each pair of triangles.
-    std::vector<Pair> above, beside;
-    for (const auto& [s, t] : overlaps_) above.push_back({piece_[s], piece_[t]});
-    for (Index t = 0; t < count_; ++t)
-      for (const Index n : input_.neighbors[t])
-        if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
-    context_.checkCancelled();
-    IndexLists conflicts, shared;
-    parallelInvoke([&] { conflicts = listsOf(above, pieceCount_); }, [&] { shared = listsOf(beside, pieceCount_); });
-    context_.checkCancelled();
-    std::vector<char> used(pieceCount_, 0);
-    for (const Index p : piece_) used[p] = 1;
-    constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
-    std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced);
-    std::vector<Index> blockedFor;  // for each layer the last piece that could not go there
-    std::vector<int> edges;         // with each layer; zero between pieces
-    for (Index p = 0; p < pieceCount_; ++p) {
-      if (used[p] == 0) continue;
-      if (p % 1024 == 0) context_.checkCancelled();
-      for (const Index other : conflicts[p])
-        if (layerOf[other] != kUnplaced) blockedFor[layerOf[other]] = p;
-      std::uint32_t best = 0;
-      while (best < blockedFor.size() && blockedFor[best] == p) ++best;
-      if (best == blockedFor.size()) {
-        blockedFor.push_back(-1);
-        edges.push_back(0);
-      } else {
-        for (const Index other : shared[p])
-          if (layerOf[other] != kUnplaced) ++edges[layerOf[other]];
-        for (const Index other : shared[p]) {
-          const std::uint32_t l = layerOf[other];
-          if (l == kUnplaced || blockedFor[l] == p) continue;
-          if (edges[l] > edges[best] || (edges[l] == edges[best] && l < best)) best = l;
-        }
-        for (const Index other : shared[p])
-          if (layerOf[other] != kUnplaced) edges[layerOf[other]] = 0;
-      }
-      layerOf[p] = best;
-    }
-    std::vector<std::uint32_t> layers(count_);
-    for (Index t = 0; t < count_; ++t) layers[t] = layerOf[piece_[t]];
-    return layers;
-  }
-
-  // Places pieces without the pairs: the layers decide whether a piece overlaps them.
   std::vector<std::uint32_t> placePieces() {
     std::vector<Index> first(pieceCount_ + 1, 0), triangles(count_);
     for (const Index p : piece_) ++first[p + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<Index> next(first.begin(), first.end() - 1);
     for (Index t = 0; t < count_; ++t) triangles[next[piece_[t]]++] = t;
-    std::vector<Pair> beside;
+    std::vector<Pair> above, beside;
+    for (const auto& [s, t] : known_.pairs)
+      if (piece_[s] != piece_[t]) above.push_back({piece_[s], piece_[t]});
     for (Index t = 0; t < count_; ++t)
       for (const Index n : input_.neighbors[t])
         if (n < t && piece_[n] != piece_[t]) beside.push_back({piece_[t], piece_[n]});
+    const IndexLists conflicts = listsOf(above, pieceCount_);
     const IndexLists shared = listsOf(beside, pieceCount_);
 
     std::vector<std::span<const Index>> pieces;
     for (Index p = 0; p < pieceCount_; ++p)
       pieces.emplace_back(triangles.data() + first[p], static_cast<std::size_t>(first[p + 1] - first[p]));
-    LayerCover cover(*kernel_, mesh_, pieces, context_);
+    LayerCover cover(input_, pieces, conflicts, context_);
     constexpr std::uint32_t kUnplaced = 0xFFFFFFFF;
     std::vector<std::uint32_t> layerOf(pieceCount_, kUnplaced), layers(count_);
     for (Index p = 0; p < pieceCount_; ++p) {
@@ -342,20 +289,22 @@ class LayerSubdivision {
       for (const Index t : pieces[p]) layers[t] = best;
     }
     fallbacks_ += cover.fallbacks();
+    known_.pairs.insert(known_.pairs.end(), cover.found().begin(), cover.found().end());
     return layers;
   }
 
   static constexpr double kShareOfPieces = 0.5;  // of the time, at a guess
-  static constexpr std::size_t kMostPairs = std::size_t{1} << 20;
-  static constexpr std::size_t kMostPairsOfTriangle = 64;
+  static constexpr std::size_t kMostPairs = std::size_t{1} << 12;
+  static constexpr std::size_t kMostPairsOfTriangle = 4;
 
   const PlanKernel* kernel_;
   const WalkableMesh& mesh_;
   const Adjacency& topology_;
   RunContext& context_;
   Index count_;
-  std::vector<Pair> overlaps_;
-  bool knowsAllOverlaps_ = true;  ///< else overlaps_ is empty
+  KnownOverlaps known_;
+  std::optional<PlanTriangles> plan_;
+  std::size_t pairsBefore_ = 0;  ///< number of pairs of earlier runs, which come first
   std::vector<Index> region_;
   Index regionCount_ = 0;
   std::vector<double> lowest_;  ///< for each triangle the height of its lowest corner
@@ -380,7 +329,7 @@ FilterOutcome applyLayerSubdivision(const StatePtr& given, const Recall& recall,
   std::shared_ptr<WalkableMesh> mesh;
   std::vector<std::uint32_t> layers;
   const bool isOwn = (recall.isLast || state != given) && !recall.keep;
-  parallelInvoke([&] { layers = subdivision.run(recall); },
+  parallelInvoke([&] { layers = subdivision.run(recall.before); },
                  [&] {
                    if (!isOwn) mesh = std::make_shared<WalkableMesh>(*state->mesh);
                    if (recall.meanwhile) recall.meanwhile(*state, *topology);

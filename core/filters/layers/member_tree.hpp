@@ -24,6 +24,7 @@ class MemberTree {
   void build(const std::vector<Bounds>& bounds, const Poll& poll);
   void insert(Index box);
   void clear();
+  [[nodiscard]] bool isEmpty() const { return nodes_.empty(); }  ///< there are no boxes
 
   /// Calls visit(box) for each member that may touch the query, until it returns true. Returns whether it did.
   template <class Visit>

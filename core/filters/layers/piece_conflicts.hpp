@@ -1,14 +1,15 @@
-// The pieces of a region that lie above one another while the region is divided (layer_pieces.hpp). They are found by
-// lists of all overlapping pairs of triangles, or by a search when a decision needs them; both give the same answers.
+// The pieces of a region that lie above one another while the region is divided (layer_pieces.hpp). Pairs that are
+// known to overlap, or not to, decide where they can; others are searched for when a decision needs them.
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <vector>
 
-#include "core/filters/layers/growing_triangles.hpp"
+#include "core/filters/layers/growing_boxes.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
 #include "core/filters/layers/member_tree.hpp"
 #include "core/mesh/mesh_geometry.hpp"
@@ -31,83 +32,85 @@ class KnownConflicts {
   std::vector<std::set<Index>> others_;
 };
 
-/// Answers from lists. `piece` is the piece of each triangle, negative for those without; both must outlive it.
-class ListedConflicts {
+/// Looks up triangles among those of a piece. Takes no memory for pairs of triangles, of which a spiral of n turns has
+/// n times as many as triangles.
+class PieceConflicts {
  public:
-  ListedConflicts(const IndexLists& overlaps, std::vector<Index>& piece) : overlaps_(overlaps), piece_(piece) {}
+  /// `piece` is the piece of each triangle, negative for those without; all must outlive it.
+  PieceConflicts(const LayerInput& input, std::span<const Index> triangles, std::vector<Index>& piece,
+                 RunContext& context);
 
   // While one piece after another grows:
 
-  void begin() {}
+  void begin(Index piece);
   /// True when a triangle without a piece overlaps the piece that grows.
-  bool isBlocked(Index /*triangle*/) { return false; }  // all of them are marked already
-  /// Adds a triangle to the piece that grows, and may write `mark` for triangles without a piece that overlap it.
-  void take(Index triangle, Index mark) {
-    for (const Index o : overlaps_[triangle])
-      if (piece_[o] < 0) piece_[o] = mark;
-  }
+  bool isBlocked(Index triangle);
+  /// Adds a triangle to the piece that grows.
+  void take(Index triangle);
 
   // While pieces are united:
 
-  void beginUniting(std::span<const Index> triangles, std::size_t pieces);
-  bool overlap(Index p, Index q) { return known_.contain(p, q); }
-  void unite(Index into, Index from) { known_.unite(into, from); }
-
-  // While single triangles move:
-
-  void beginMoving(std::span<const Index> /*triangles*/, std::size_t /*pieces*/) {}
-  /// True when the triangle overlaps one of the piece.
-  bool overlapsPiece(Index triangle, Index piece) const;
-  void move(Index /*triangle*/, Index /*to*/) {}
-
- private:
-  const IndexLists& overlaps_;
-  std::vector<Index>& piece_;
-  KnownConflicts known_{0};
-};
-
-/// Looks up triangles among those of a piece. Takes no memory for pairs of triangles, of which a spiral of n turns has
-/// n times as many as triangles. The functions are those of ListedConflicts.
-class SearchedConflicts {
- public:
-  /// `number` is that of each of the region's `triangles` among them.
-  SearchedConflicts(const PlanKernel& kernel, const WalkableMesh& mesh, std::span<const Index> triangles,
-                    const std::vector<Index>& number, std::vector<Index>& piece, RunContext& context);
-
-  void begin() { growing_.clear(); }
-  bool isBlocked(Index triangle);
-  void take(Index triangle, Index /*mark*/) { growing_.insert(number_[triangle]); }
-
-  void beginUniting(std::span<const Index> triangles, std::size_t pieces);
+  void beginUniting(std::size_t pieces);
   bool overlap(Index p, Index q);
   void unite(Index into, Index from);
 
-  void beginMoving(std::span<const Index> triangles, std::size_t pieces) { listMembers(triangles, pieces); }
-  bool overlapsPiece(Index triangle, Index piece);
-  void move(Index triangle, Index to) { of(to).add({&triangle, 1}, context_); }
+  // While single triangles move:
 
-  [[nodiscard]] SearchCounts counts() const { return {tested_, geometry_.fallbacks}; }
+  void beginMoving(std::size_t pieces) { listMembers(pieces); }
+  /// True when the triangle overlaps one of the piece.
+  bool overlapsPiece(Index triangle, Index piece);
+  void move(Index triangle, Index to);
+
+  /// Call it once.
+  [[nodiscard]] SearchCounts takeCounts();
 
  private:
-  /// True when the triangle overlaps one of the set that `counts`.
-  template <class Counts>
-  bool overlapsAny(Index triangle, const GrowingTriangles& set, const Counts& counts);
-  void listMembers(std::span<const Index> triangles, std::size_t pieces);
-  /// The triangles of a piece, put into trees when they are needed first.
-  GrowingTriangles& of(Index piece);
+  using Bounds = MemberTree::Bounds;
 
-  const WalkableMesh& mesh_;
-  const std::vector<Index>& number_;
+  /// The triangles of a piece. Most are of its main group; the others are listed.
+  struct Members {
+    std::vector<Index> all;
+    Index main = -1;
+    std::vector<Index> others;
+    std::unique_ptr<GrowingBoxes> tree;  ///< of all, once it was needed
+    int lookUps = 0;                     ///< number of them without the tree
+  };
+
+  [[nodiscard]] bool isOf(Index group, Index triangle) const { return group >= 0 && input_.group[triangle] == group; }
+  [[nodiscard]] Index groupOf(Index triangle) const { return input_.group.empty() ? -1 : input_.group[triangle]; }
+  [[nodiscard]] bool knowsAllOf(Index triangle) const { return input_.knowsAll || groupOf(triangle) == kSettled; }
+  [[nodiscard]] const Bounds& boundsOf(Index triangle) const { return input_.plan->boundsOf(triangle); }
+  bool test(Index triangle, Index other);
+  void addToTree(Index triangle);
+  void chooseMain(Index group);
+  void place(Index triangle);
+  /// Visits members of the main group that are in no tree, or puts them there. Returns whether a visit did.
+  template <class Visit>
+  bool visitLate(const Visit& visit);
+
+  void addTo(GrowingBoxes& tree, std::span<const Index> triangles);
+  void listMembers(std::size_t pieces);
+  void add(Index triangle, Members& members);
+  /// True when the triangle overlaps a member that `counts`.
+  template <class Counts>
+  bool overlapsAny(Index triangle, Members& members, const Counts& counts);
+
+  const LayerInput& input_;
+  std::span<const Index> triangles_;
   std::vector<Index>& piece_;
   RunContext& context_;
-  MeshGeometry geometry_;
-  std::size_t tested_ = 0;
-  // One entry for each of the region's triangles:
-  std::vector<PlanTriangle> plans_;
-  std::vector<MemberTree::Bounds> bounds_;
-  MemberTree growing_;  ///< with the piece that grows as members
-  IndexLists members_;
-  std::vector<std::unique_ptr<GrowingTriangles>> trees_;  ///< one for each piece that was looked up
+  std::optional<MeshGeometry> geometry_;
+  SearchCounts counts_;
+  // The piece that grows:
+  Index growing_ = -1, main_ = -1;
+  std::vector<Index> sizes_;  ///< number of members of each group
+  std::vector<Index> late_;   ///< members of the main group that are in no tree yet
+  int lookUps_ = 0;           ///< number of them among `late_`
+  MemberTree tree_;           ///< with members of the main group, or all where there are no groups
+  GrowingBoxes others_;       ///< all other members
+  std::vector<Index> taken_;  ///< all members, where there are groups
+  // All pieces:
+  std::vector<Members> members_;
   KnownConflicts known_{0};
 };
 

@@ -39,8 +39,8 @@
 #include "core/base/unfilled_array.hpp"
 #include "core/filters/layers/border_sides.hpp"
 #include "core/filters/layers/double_cover.hpp"
-#include "core/filters/layers/growing_triangles.hpp"
 #include "core/filters/layers/pair_set.hpp"
+#include "core/filters/layers/plan_triangles.hpp"
 #include "core/filters/layers/triangle_sides.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 

@@ -6,7 +6,9 @@
 #include <QTest>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <random>
 #include <set>
 
 #include "core/filters/layers/double_cover.hpp"
@@ -174,20 +176,25 @@ struct Pieces {
   bool operator==(const Pieces&) const = default;
 };
 
-Pieces listedPieces(const LayerInput& input) {
+Pieces listedPieces(LayerInput input) {
   RunContext context;
+  SearchCounts counts;
+  input.knowsAll = true;
   const std::vector<Index> all = numbersUpTo(input.byHeight.size());
   Pieces pieces{{}, std::vector<Index>(all.size())};
-  pieces.seeds = subdivideRegion(input, all, all, pieces.piece, context);
+  pieces.seeds = subdivideRegion(input, all, all, pieces.piece, context, counts);
   return pieces;
 }
 
 Pieces searchedPieces(LayerInput input, const WalkableState& state, SearchCounts& counts) {
   RunContext context;
-  input.overlaps = {};
+  const PlanTriangles plan(*state.mesh, context);
+  input.kernel = state.kernel.get();
+  input.vertices = &state.mesh->vertices;
+  input.plan = &plan;
   const std::vector<Index> all = numbersUpTo(input.byHeight.size());
   Pieces pieces{{}, std::vector<Index>(all.size())};
-  pieces.seeds = subdivideRegion(input, all, all, *state.kernel, *state.mesh, pieces.piece, context, counts);
+  pieces.seeds = subdivideRegion(input, all, all, pieces.piece, context, counts);
   return pieces;
 }
 
@@ -277,8 +284,42 @@ class TestDoubleCover : public QObject {
     QVERIFY(check("pieces without a list of pairs", 300, [&divided] {
       const StatePtr state =
           runFilters(soupOf(*gridTriangles(*rc::gen::inRange(2, 40), 5, 3)).environment(true), minimalPipeline(1));
-      const LayerInput input = inputOf(*state, plainOverlaps(*state));
-      const Pieces expected = listedPieces(input);
+      const Pieces expected = listedPieces(inputOf(*state, plainOverlaps(*state)));
+      divided += expected.seeds.size() > 1 ? 1 : 0;
+      SearchCounts counts;
+      RC_ASSERT(searchedPieces(inputOf(*state, {}), *state, counts) == expected);
+    }));
+    QVERIFY2(divided > 50, qPrintable(QString::number(divided)));
+  }
+
+  void whatIsKnownChangesNoPieces() {
+    int divided = 0;
+    QVERIFY(check("pieces with some pairs and groups known", 500, [&divided] {
+      const StatePtr state =
+          runFilters(soupOf(*gridTriangles(*rc::gen::inRange(2, 40), 5, 3)).environment(true), minimalPipeline(1));
+      const std::vector<Pair> pairs = plainOverlaps(*state);
+      std::mt19937 random(*rc::gen::arbitrary<std::uint32_t>());
+      std::vector<Index> group(state->mesh->triangles.size());
+      for (std::size_t t = 0; t < group.size(); ++t) {
+        std::set<Index> taken;
+        for (const auto& [a, b] : pairs)
+          if (static_cast<std::size_t>(std::max(a, b)) == t)
+            taken.insert(group[static_cast<std::size_t>(std::min(a, b))]);
+        while (taken.contains(group[t])) ++group[t];
+      }
+      for (Index& own : group) {
+        const auto choice = random() % 8;
+        if (choice < 2) own = choice == 0 ? -1 : kSettled;
+      }
+      std::vector<Pair> known;
+      for (const auto& [a, b] : pairs) {
+        const bool isSettled =
+            group[static_cast<std::size_t>(a)] == kSettled || group[static_cast<std::size_t>(b)] == kSettled;
+        if (isSettled || random() % 3 == 0) known.push_back({a, b});
+      }
+      LayerInput input = inputOf(*state, known);
+      input.group = group;
+      const Pieces expected = listedPieces(inputOf(*state, pairs));
       divided += expected.seeds.size() > 1 ? 1 : 0;
       SearchCounts counts;
       RC_ASSERT(searchedPieces(input, *state, counts) == expected);
