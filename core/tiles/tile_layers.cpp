@@ -16,8 +16,9 @@
 #include "core/base/background_release.hpp"
 #include "core/base/box_tree.hpp"
 #include "core/base/parallel.hpp"
+#include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
-#include "core/filters/layers/plan_overlaps.hpp"
+#include "core/filters/layers/plan_triangles.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "core/tiles/tile_gathering.hpp"
 #include "core/tiles/tile_geometry.hpp"
@@ -31,23 +32,17 @@ using Tree = BoxTree<2>;
 
 constexpr Index kPerTask = 256;
 
-Tree::Bounds boundsOf(const PlanTriangle& p) {
-  return {{std::min({p.x[0], p.x[1], p.x[2]}) - p.error, std::min({p.y[0], p.y[1], p.y[2]}) - p.error},
-          {std::max({p.x[0], p.x[1], p.x[2]}) + p.error, std::max({p.y[0], p.y[1], p.y[2]}) + p.error}};
-}
-
-/// All pairs that overlap in the plan, of a triangle of the one tile and one of the other.
-// Empty where there are more than `most`.
-std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, std::size_t tile, std::uint64_t most,
-                                                 RunContext& context) {
+/// All pairs that overlap in the plan, of one of some triangles and one of `others`. Pairs of one sheet, from 0 on, do
+/// not; where `own` and `others` are the same, each pair is found once. Empty where there are more than `most`.
+std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, const std::vector<Index>& own,
+                                                 const std::vector<Index>& others, const std::vector<Index>& sheets,
+                                                 std::uint64_t most, RunContext& context) {
   const WalkableMesh& mesh = made.mesh();
-  std::vector<Index> own, others;
-  for (Index t = 0; t < static_cast<Index>(mesh.triangles.size()); ++t)
-    (made.partOf(t).tile == tile ? own : others).push_back(t);
+  const bool isOnce = &own == &others;
   const auto planOf = [&mesh](Index t) { return planTriangleOf(mesh.vertices, mesh.triangles[t]); };
   Tree tree;
   tree.build(
-      others, [&](Index t) { return boundsOf(planOf(t)); }, context);
+      others, [&](Index t) { return planBoundsOf(planOf(t)); }, context);
   struct Local {
     MeshGeometry geometry;
     std::vector<Pair> found;
@@ -58,10 +53,12 @@ std::optional<std::vector<Pair>> overlapsBetween(const TileUnion& made, std::siz
     Local& local = locals.local();
     for (std::size_t i = range.begin(); i != range.end() && count <= most; ++i) {
       context.checkCancelled();
-      const PlanTriangle plan = planOf(own[i]);
-      tree.visitOverlapping(boundsOf(plan), [&](Index o) {
+      const Index t = own[i];
+      const PlanTriangle plan = planOf(t);
+      tree.visitOverlapping(planBoundsOf(plan), [&](Index o) {
+        if (isOnce && (o <= t || (sheets[t] >= 0 && sheets[t] == sheets[o]))) return;
         if (!local.geometry.overlap(plan, planOf(o)) || ++count > most) return;
-        local.found.push_back({own[i], o});
+        local.found.push_back({t, o});
       });
     }
   });
@@ -159,7 +156,10 @@ class TileLayers {
         parts.push_back(partWithin(i, tile, tiles[j].box));
         parts.push_back(partWithin(j, stage_.store.read(tiles[j].number), tiles[i].box));
         const TileUnion made = unionOf(std::move(parts));
-        const auto found = overlapsBetween(made, i, stage_.memory / kOfLayerPair, context_);
+        std::vector<Index> own, others;
+        for (Index t = 0; t < static_cast<Index>(made.mesh().triangles.size()); ++t)
+          (made.partOf(t).tile == i ? own : others).push_back(t);
+        const auto found = overlapsBetween(made, own, others, {}, stage_.memory / kOfLayerPair, context_);
         if (!found) stage_.failTooLittle(2 * stage_.memory);
         addPairs(made, *found);
       }
@@ -175,8 +175,11 @@ class TileLayers {
     const TileUnion made = unionOf(std::move(parts));
     const Adjacency topology = findEdges(made.mesh().triangles, made.mesh().vertices.size(), Poll(context_));
     ExactFallbacks fallbacks;
-    const std::uint64_t most = stage_.memory / kOfLayerPair;
-    const auto found = findPlanOverlaps(made.kernel(), made.mesh(), topology, most, context_, fallbacks);
+    const std::vector<Index> sheets = findFlatSheets(findTrianglesAcross(made.mesh(), topology, context_),
+                                                     made.kernel(), made.mesh(), context_, fallbacks);
+    std::vector<Index> all(sheets.size());
+    std::iota(all.begin(), all.end(), Index{0});
+    const auto found = overlapsBetween(made, all, all, sheets, stage_.memory / kOfLayerPair, context_);
     if (!found) stage_.failTooLittle(2 * stage_.memory);
     addPairs(made, *found);
   }

@@ -126,13 +126,13 @@ std::vector<char> findDoubleCovers(const std::vector<Index>& setOf, Index setCou
 }
 
 std::vector<Index> findFlatSheets(const std::vector<Index>& across, const PlanKernel& kernel, const WalkableMesh& mesh,
-                                  RunContext& context, ExactFallbacks& fallbacks, std::size_t* decisions) {
+                                  RunContext& context, ExactFallbacks& fallbacks) {
   DisjointSets sets(mesh.triangles.size());
   for (Index side = 0; side < static_cast<Index>(across.size()); ++side)
     if (across[side] > side / 3) sets.unite(side / 3, across[side]);
   Index count = 0;
   std::vector<Index> sheets = sets.numbers(count);
-  const std::vector<char> covers = findDoubleCovers(sheets, count, across, kernel, mesh, context, fallbacks, decisions);
+  const std::vector<char> covers = findDoubleCovers(sheets, count, across, kernel, mesh, context, fallbacks);
   std::vector<Index> numbers(count, -1);
   Index next = 0;
   for (Index sheet = 0; sheet < count; ++sheet)

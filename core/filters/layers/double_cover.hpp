@@ -24,6 +24,6 @@ std::vector<char> findDoubleCovers(const std::vector<Index>& setOf, Index setCou
 /// The number of each triangle's sheet, or -1 where the sheet covers some place twice. Triangles that are connected
 /// over inner sides are one sheet; sheets that cover no place twice are numbered from 0 on.
 std::vector<Index> findFlatSheets(const std::vector<Index>& across, const PlanKernel& kernel, const WalkableMesh& mesh,
-                                  RunContext& context, ExactFallbacks& fallbacks, std::size_t* decisions = nullptr);
+                                  RunContext& context, ExactFallbacks& fallbacks);
 
 }  // namespace footfall::detail

@@ -7,14 +7,12 @@
 
 #include <QtTest>
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <random>
 #include <set>
 
 #include "core/assembly/obstacle_split.hpp"
 #include "core/base/box_tree.hpp"
-#include "core/filters/layers/plan_overlaps.hpp"
 #include "core/filters/rounding/rounded_mesh.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "core/mesh/mesh_topology.hpp"
@@ -83,35 +81,13 @@ Pairs overlapsOnePair(const WalkableState& state) {
 }
 
 Pairs overlapsFound(const WalkableState& state) {
-  RunContext context;
-  ExactFallbacks fallbacks;
+  MeshGeometry geometry(*state.kernel, state.mesh->vertices);
+  const auto planOf = [&state](Index t) { return planTriangleOf(state.mesh->vertices, state.mesh->triangles[t]); };
   Pairs result;
-  constexpr std::size_t kNoLimit = std::numeric_limits<std::size_t>::max();
-  auto found = findPlanOverlaps(*state.kernel, *state.mesh, topologyOf(*state.mesh), kNoLimit, context, fallbacks);
-  for (auto& pair : found.value()) {
-    std::sort(pair.begin(), pair.end());
-    if (!result.insert(pair).second) return {{-1, -1}};  // each only once
-  }
-  // The limit is what is still listed.
-  const auto listed = [&](std::size_t most) {
-    return findPlanOverlaps(*state.kernel, *state.mesh, topologyOf(*state.mesh), most, context, fallbacks).has_value();
-  };
-  if (!listed(result.size()) || (!result.empty() && listed(result.size() - 1))) return {{-2, -2}};
+  for (Index t = 0; t < static_cast<Index>(state.mesh->triangles.size()); ++t)
+    for (Index s = 0; s < t; ++s)
+      if (geometry.overlap(planOf(s), planOf(t))) result.insert({s, t});
   return result;
-}
-
-/// Two floors along a border on which each has vertices where the other one has none, one a step above the other.
-Soup kerb(int n) {
-  Soup soup;
-  for (int i = 0; i < n; ++i) {
-    soup.floor(i, -10, i + 1, 0, 0);
-    soup.floor(i + 0.5, 0, i + 1.5, 10, 0.125);
-  }
-  return soup;
-}
-
-StatePtr simplified(const Soup& soup) {
-  return runFilters(soup.environment(), minimalPipeline(2) + "StepFilter 0.4 0\nSimplificationFilter\n");
 }
 
 std::multiset<std::array<std::array<std::string, 3>, 3>> placesOf(const StatePtr& state, double below) {
@@ -144,32 +120,6 @@ class TestMeshStructure : public QObject {
         RC_ASSERT(std::equal(found.begin(), found.end(), sides.begin(), sides.end()));
       }
     }));
-  }
-
-  // The floors of a kerb become needles; a bridge, a beam and a ramp lie above some of them.
-  void needlesOverlapLikeOthers() {
-    Soup soup = kerb(600);
-    soup.floor(100.25, -3, 101.5, 4, 5);
-    soup.floor(300, -8, 300.125, -0.5, 5);
-    soup.quad({400, -5, 5}, {450, -5, 5}, {450, 0, 6}, {400, 0, 6});
-    const StatePtr state = simplified(soup);
-    const Pairs expected = overlapsOnePair(*state);
-    QVERIFY(expected.size() > 50);
-    QVERIFY(overlapsFound(*state) == expected);
-  }
-
-  void kerbsAreNotTestedPairByPair() {
-    for (const int n : {1000, 4000}) {
-      const StatePtr state = simplified(kerb(n));
-      RunContext context;
-      ExactFallbacks fallbacks;
-      std::size_t tested = 0;
-      const auto found = findPlanOverlaps(*state->kernel, *state->mesh, topologyOf(*state->mesh),
-                                          std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
-      QVERIFY(found && found->empty());
-      const std::size_t triangles = state->mesh->triangles.size(), pairs = triangles * (triangles - 1) / 2;
-      QVERIFY2(tested < pairs / 50, qPrintable(QString("%1 of %2 pairs").arg(tested).arg(pairs)));
-    }
   }
 
   void boxesAreFound() {

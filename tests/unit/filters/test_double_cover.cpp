@@ -11,9 +11,9 @@
 #include <random>
 #include <set>
 
+#include "core/assembly/walkable_state.hpp"
 #include "core/filters/layers/double_cover.hpp"
 #include "core/filters/layers/layer_pieces.hpp"
-#include "core/filters/layers/plan_overlaps.hpp"
 #include "core/mesh/mesh_geometry.hpp"
 #include "core/mesh/mesh_topology.hpp"
 #include "tests/support/run_filters.hpp"
@@ -103,22 +103,6 @@ Soup disc(int corners, double z) {
   Soup soup;
   for (int i = 0; i < corners; ++i) soup.triangle({0, 0, z}, at(i), at(i + 1));
   return soup;
-}
-
-/// Compares the pairs that are found with the definition; there should be more than `few` of them.
-void checkOverlaps(const WalkableState& state, std::size_t few) {
-  std::vector<Pair> expected = plainOverlaps(state);
-  QVERIFY(expected.size() > few);
-  RunContext context;
-  ExactFallbacks fallbacks;
-  auto found =
-      findPlanOverlaps(*state.kernel, *state.mesh, findEdges(state.mesh->triangles, state.mesh->vertices.size()),
-                       std::numeric_limits<std::size_t>::max(), context, fallbacks);
-  QVERIFY(found.has_value());
-  for (Pair& pair : *found) std::sort(pair.begin(), pair.end());
-  std::sort(found->begin(), found->end());
-  std::sort(expected.begin(), expected.end());
-  QVERIFY(*found == expected);
 }
 
 std::vector<Index> numbersUpTo(std::size_t count) {
@@ -327,80 +311,29 @@ class TestDoubleCover : public QObject {
     QVERIFY2(divided > 50, qPrintable(QString::number(divided)));
   }
 
-  // The boxes of these needles touch few others, so triangles are looked up by their boxes.
-  void needlesThatCrossFewOthers() {
-    Soup soup;
-    for (int i = 0; i < 400; ++i) {
-      const double x = 2 * (i % 20), y = 2 * (i / 20), width = 0.02;
-      soup.quad({x, y, 0}, {x + width, y, 0}, {x + 2, y + 2, 0}, {x + 2 - width, y + 2, 0});
-      soup.quad({x + 2, y, 5}, {x + 2, y + width, 5}, {x, y + 2, 5}, {x, y + 2 - width, 5});
-    }
-    const StatePtr state = walkable(soup);
-    QCOMPARE(state->mesh->triangles.size(), std::size_t{1600});
-    checkOverlaps(*state, 400);
-  }
-
-  void starsAboveEachOther() {
-    Soup soup = star(600, 0, 0);
-    soup.add(star(600, 3, 0.001)).floor(60, -10, 80, 10, 0).floor(45, -1, 46, 1, 7);
-    const StatePtr state = walkable(soup);
-    checkOverlaps(*state, 1000);
-  }
-
-  void aStarIsNotTestedPairByPair() {
+  void starsAreDecidedByTheirOutlines() {
     for (const int spikes : {1000, 4000}) {
       const StatePtr state = walkable(star(spikes, 0, 0));
-      QCOMPARE(state->mesh->triangles.size(), static_cast<std::size_t>(2 * spikes - 2));
-      RunContext context;
-      ExactFallbacks fallbacks;
-      std::size_t tested = 0;
-      const auto found = findPlanOverlaps(*state->kernel, *state->mesh,
-                                          findEdges(state->mesh->triangles, state->mesh->vertices.size()),
-                                          std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
-      QVERIFY(found && found->empty());
-      QVERIFY2(tested < static_cast<std::size_t>(200 * spikes), qPrintable(QString::number(tested)));
+      std::size_t decisions = 0;
+      QVERIFY(doubleCovers(*state, std::vector<Index>(state->mesh->triangles.size(), 0), 1, &decisions)[0] == 0);
+      QVERIFY2(decisions < static_cast<std::size_t>(200 * spikes), qPrintable(QString::number(decisions)));
     }
   }
 
   // The boxes of the needles of a disc touch a quarter of each other's, on every storey.
-  void discsAboveEachOtherAreNotTestedPairByPair() {
+  void discsAreDecidedByTheirOutlines() {
     for (const int corners : {1000, 4000}) {
       Soup soup;
       for (const double z : {0.0, 3.0, 6.0}) soup.add(disc(corners, z));
       const StatePtr state = walkable(soup);
-      const std::size_t triangles = state->mesh->triangles.size();
-      QCOMPARE(triangles, static_cast<std::size_t>(3 * corners));
-      RunContext context;
-      ExactFallbacks fallbacks;
-      std::size_t tested = 0;
-      const auto found = findPlanOverlaps(*state->kernel, *state->mesh,
-                                          findEdges(state->mesh->triangles, state->mesh->vertices.size()),
-                                          std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
-      QVERIFY(found.has_value());
-      QCOMPARE(found->size(), triangles);
-      QVERIFY2(tested < 200 * triangles, qPrintable(QString::number(tested)));
+      const WalkableMesh& mesh = *state->mesh;
+      Index regions = 0;
+      const std::vector<Index> regionOf = findRegions(mesh, findEdges(mesh.triangles, mesh.vertices.size()), regions);
+      QCOMPARE(regions, 3);
+      std::size_t decisions = 0;
+      QCOMPARE(doubleCovers(*state, regionOf, regions, &decisions), std::vector<char>(3, 0));
+      QVERIFY2(decisions < 200 * mesh.triangles.size(), qPrintable(QString::number(decisions)));
     }
-  }
-
-  // Corners that have no few bits in common: doubles decide about the sides of two discs that lie in one line only
-  // because their ends are the same places.
-  void manyDiscsInAllDigitsOfDoubles() {
-    constexpr int kDiscs = 10;
-    Soup soup;
-    for (int storey = 0; storey < kDiscs; ++storey) soup.add(disc(4000, 3.0 * storey));
-    const StatePtr state = walkable(soup.mapped([](const Vec3& p) { return Vec3{p.x + 0.1, p.y - 0.7, p.z}; }));
-    const std::size_t triangles = state->mesh->triangles.size();
-    RunContext context;
-    ExactFallbacks fallbacks;
-    std::size_t tested = 0;
-    const auto found =
-        findPlanOverlaps(*state->kernel, *state->mesh, findEdges(state->mesh->triangles, state->mesh->vertices.size()),
-                         std::numeric_limits<std::size_t>::max(), context, fallbacks, &tested);
-    QVERIFY(found.has_value());
-    const std::size_t perTriangle = kDiscs - 1;
-    QCOMPARE(found->size(), triangles * perTriangle / 2);
-    QVERIFY2(tested < 16 * perTriangle * triangles, qPrintable(QString::number(tested)));
-    QCOMPARE(fallbacks.orientation, decltype(fallbacks.orientation){0});
   }
 
   // Each triangle of a spiral of n turns overlaps n others at least.
