@@ -79,7 +79,6 @@ class Neighbourhood {
   }
 
  private:
-
   /// Triangles that hang together right at every place of a square of the plan, in groups. Ways only ever come in:
   /// what hangs together stays so.
   struct Square {
