@@ -62,7 +62,7 @@ class SurfaceMatcher {
     const Triangle& corners = mesh.triangles[triangle];
     const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]];
     std::uint64_t key = 0;
-    for (const double x : {a.x, a.y, b.x, b.y}) {
+    for (const double x : {a.x, a.y, a.z, b.x, b.y, b.z}) {
       key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 equals 0
       key ^= key >> 32;
     }
