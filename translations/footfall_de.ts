@@ -6082,6 +6082,26 @@ Die Griffe rasten an Böden ein, außer mit gedrückter Alt-Taste; ein Doppelkli
         <source>Area (%1)</source>
         <translation>Fläche (%1)</translation>
     </message>
+    <message>
+        <source>%1 (as few as possible)</source>
+        <translation>%1 (so wenige wie möglich)</translation>
+    </message>
+    <message>
+        <source>%1 (at least 1 is needed)</source>
+        <translation>%1 (mindestens 1 ist nötig)</translation>
+    </message>
+    <message>
+        <source>%1 (at least %2 are needed)</source>
+        <translation>%1 (mindestens %2 sind nötig)</translation>
+    </message>
+    <message>
+        <source>1 connection</source>
+        <translation>1 Verbindung</translation>
+    </message>
+    <message>
+        <source>%1 connections</source>
+        <translation>%1 Verbindungen</translation>
+    </message>
 </context>
 <context>
     <name>footfall::ui::Legend</name>

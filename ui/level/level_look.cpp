@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "footfall/errors.hpp"
+#include "ui/level/layer_bounds.hpp"
 
 namespace footfall::ui {
 namespace {
@@ -69,6 +70,7 @@ void LevelLook::addLayers(const FeatureHost& host) {
     layers_->setResult(content.walkable.empty() ? nullptr : content.walkable.front());
     nameLayer();
   });
+  new LayerBounds(controller_, *layers_);
   const QString group = QStringLiteral("floors");
   // Lists and scroll areas use these keys themselves.
   const auto inView = [this](QAction* action) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "footfall/inspect.hpp"
 #include "tests/editor/editor_driver.hpp"
 #include "tests/editor/window_parts.hpp"
 #include "ui/view/widgets/height_slider.hpp"
@@ -63,6 +64,31 @@ class TestLayerList : public QObject {
     QCOMPARE(row->text(2), QString("64.00"));
     QVERIFY(row->text(3).toInt() >= 2);
     QVERIFY(!row->icon(1).isNull());
+  }
+
+  void saysHowManyAreNeededAtLeast() {
+    const auto* summary = panel_->findChild<QLabel*>("layerSummary");
+    QTRY_COMPARE(summary->text(), QString("2 layers (as few as possible)\n0 connections"));
+    window_->openWith(QStringLiteral(FOOTFALL_SOURCE_DIR "/samples/villa/villa.obj"), parsePipeline(kPipeline, "test"),
+                      {});
+    QVERIFY(waitUntilIdle(*window_));
+    QTRY_VERIFY2(summary->text().contains(" needed)"), qPrintable(summary->text()));
+    const NavigationMesh& mesh = *window_->controller().finishedRun()->result.mesh;
+    const auto text = [](std::size_t count, const QString& noun, std::size_t least) {
+      const QString start = QString("%1 %2").arg(count).arg(noun);
+      if (count == least) return start + " (as few as possible)";
+      return start +
+             (least == 1 ? QString(" (at least 1 is needed)") : QString(" (at least %1 are needed)").arg(least));
+    };
+    QCOMPARE(summary->text().remove(QLocale().groupSeparator()),
+             text(mesh.layerCount, "layers", leastLayers(mesh)) + '\n' +
+                 text(mesh.connections.size(), "connections", leastConnections(mesh)));
+    shoot(*window_, "layers-needed");
+    // Hidden layers are counted instead.
+    panel_->showOnly(0);
+    QCOMPARE(summary->text(), QString("1 of %1 layers shown").arg(mesh.layerCount));
+    panel_->showAll();
+    QVERIFY(summary->text().contains(" needed)"));
   }
 
   void theEyeHidesALayerAndItsEdges() {

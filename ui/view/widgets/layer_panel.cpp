@@ -118,10 +118,16 @@ void LayerPanel::setResult(std::shared_ptr<const NavigationMeshGeometry> result)
   if (result == result_) return;
   const std::set<std::uint32_t> before = hiddenHere();
   result_ = std::move(result);
+  counts_.reset();
   // The only shown layer may no longer exist; an empty view would be confusing.
   if (layers() > 0 && hiddenHere().size() == layers()) hidden_.clear();
   fill();
   if (hiddenHere() != before) emit hiddenChanged(hiddenHere());
+}
+
+void LayerPanel::setCounts(const LayerCounts& counts) {
+  counts_ = counts;
+  showStates();
 }
 
 void LayerPanel::setUnits(const LevelUnits& units) {
@@ -211,6 +217,11 @@ void LayerPanel::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
 }
 
+void LayerPanel::showEvent(QShowEvent* event) {
+  QWidget::showEvent(event);
+  emit appeared();
+}
+
 void LayerPanel::fill() {
   const QTreeWidgetItem* const before = list_->currentItem();
   const int current = before ? before->data(0, kLayerRole).toInt() : -1;
@@ -262,8 +273,24 @@ void LayerPanel::showStates() {
   } else if (hidden > 0) {
     summary_->setText(tr("%1 of %2 layers shown").arg(layers() - hidden).arg(layers()));
   } else {
-    summary_->setText(layers() == 1 ? tr("1 layer") : tr("%1 layers").arg(layers()));
+    summary_->setText(countsText());
   }
+}
+
+// The counts, each with its bound once that is known.
+QString LayerPanel::countsText() const {
+  const QString layersText = layers() == 1 ? tr("1 layer") : tr("%1 layers").arg(layers());
+  if (!counts_) return layersText;
+  const auto withBound = [](const QString& text, std::size_t count, std::size_t least) {
+    if (count <= 1 || least == 0) return text;
+    if (count == least) return tr("%1 (as few as possible)").arg(text);
+    return least == 1 ? tr("%1 (at least 1 is needed)").arg(text)
+                      : tr("%1 (at least %2 are needed)").arg(text, countText(least));
+  };
+  const QString connections =
+      counts_->connections == 1 ? tr("1 connection") : tr("%1 connections").arg(countText(counts_->connections));
+  return withBound(layersText, layers(), counts_->leastLayers) + QLatin1Char('\n') +
+         withBound(connections, counts_->connections, counts_->leastConnections);
 }
 
 }  // namespace footfall::ui

@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QWidget>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -15,6 +16,12 @@
 #include "ui/view/geometry/render_geometry.hpp"
 
 namespace footfall::ui {
+
+/// The connections of a result, and how many layers and connections it needs at least.
+struct LayerCounts {
+  std::size_t connections = 0;
+  std::size_t leastLayers = 0, leastConnections = 0;
+};
 
 /// A row for each layer, or one for the whole walkable area where there are no layers: eye, colour and number, area,
 /// triangles. The eye or Space hides and shows a layer; a click or Enter on a row shows it alone, and a second one
@@ -27,6 +34,8 @@ class LayerPanel : public QWidget {
 
   /// Lists the layers of a finished result; null: there is none.
   void setResult(std::shared_ptr<const NavigationMeshGeometry> result);
+  /// Shows the counts of the result until another one is set.
+  void setCounts(const LayerCounts& counts);
   void setUnits(const LevelUnits& units);
   /// Layers that the result does not have are kept, because another result may have them.
   void setHidden(const std::set<std::uint32_t>& hidden);
@@ -50,20 +59,25 @@ class LayerPanel : public QWidget {
   void hiddenChanged(const std::set<std::uint32_t>& hidden);
   /// Emitted when the user chooses to see a layer.
   void frameRequested(const footfall::ui::LayerFigures& layer);
+  /// Emitted when the list comes into sight.
+  void appeared();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
   void changeEvent(QEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   [[nodiscard]] std::set<std::uint32_t> hiddenHere() const;
   void fill();
   void showStates();
+  [[nodiscard]] QString countsText() const;
   void toggle(std::uint32_t layer);
   void solo(std::uint32_t layer);
   void act(QTreeWidgetItem* item, int column);
 
   std::shared_ptr<const NavigationMeshGeometry> result_;
+  std::optional<LayerCounts> counts_;
   std::set<std::uint32_t> hidden_;
   LevelUnits units_;
   QTreeWidget* list_;
