@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <numeric>
+#include <tuple>
 #include <utility>
 
 #include "core/mesh/gap_bridges.hpp"
@@ -293,29 +294,39 @@ std::optional<CorridorFoot> CorridorNetwork::footOf(std::uint32_t face, FieldVec
 }
 
 std::optional<CorridorFoot> CorridorNetwork::wayNear(std::uint32_t face, FieldVector p, std::uint32_t feature) const {
-  const double distance = field_.at(face, p).distance, slack = 1e-9 * field_.surface().scale;
+  // Where the ray from the border meets the axis, a second feature is as near as `feature`. Further along the ray, up
+  // to here, `feature` recedes the fastest of all, and by 4 margins more than the nearest at most (footOf()); so the
+  // second one is as near as that, too. Distances of the field are off by a margin: both features of a way here are
+  // within 8. Ends of ways are off by `astray` at most (core/include/footfall/corridor_map.hpp). Between two
+  // borders that are one line but for a hair there is no way: then one along another border is here.
+  const double distance = field_.at(face, p).distance, nearest = distance + 8 * field_.margin();
+  const double astray = 0x1p-36 * field_.surface().scale;
   CorridorFoot best{CorridorFoot::kNone, p, distance};
-  double least = std::numeric_limits<double>::infinity();
-  bool hasFeature = false;
+  // Smaller is better: ways that are not here come later, then those along other borders, which begin where the way of
+  // the feature ends; then the one whose piece of the axis is nearest; then the first one.
+  std::tuple<bool, bool, double, std::uint32_t> least;
   const auto consider = [&](std::uint32_t f) {
     for (const std::uint32_t w : waysIn_[f]) {
       const CorridorWay& way = ways_[w];
       const double at = way.along(p);
-      double fault = std::max({0.0, way.begin - at, at - way.end});
-      for (const std::uint32_t other : way.features)
-        fault += std::fabs(distanceOf(field_.features()[other], p) - distance);
-      // Other ways, along other borders, begin where the way of the feature ends.
-      const bool isOwn = fault <= slack && std::ranges::find(way.features, feature) != way.features.end();
-      if (isOwn == hasFeature ? fault >= least : hasFeature) continue;
-      least = fault;
-      hasFeature = isOwn;
+      double beside = std::max({0.0, way.begin - at, at - way.end});
+      bool isHere = beside <= astray;
+      for (const std::uint32_t other : way.features) {
+        const double excess = std::max(0.0, distanceOf(field_.features()[other], p) - nearest);
+        isHere = isHere && excess == 0;
+        beside += excess;
+      }
+      const bool isOwn = isHere && std::ranges::find(way.features, feature) != way.features.end();
+      const std::tuple order(!isHere, !isOwn, beside, w);
+      if (best.way != CorridorFoot::kNone && least <= order) continue;
+      least = order;
       best.way = w;
     }
   };
+  // Roundings may put a place of the axis on the other side of a side.
   consider(face);
-  if (!hasFeature)
-    for (const std::uint32_t other : field_.surface().topology.neighbours[face])
-      if (other != SurfaceTopology::kNone) consider(other);
+  for (const std::uint32_t other : field_.surface().topology.neighbours[face])
+    if (other != SurfaceTopology::kNone) consider(other);
   if (best.way == CorridorFoot::kNone) return std::nullopt;
   return best;
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "core/mesh/clearance_field.hpp"
+#include "core/navigation/corridor_network.hpp"
 #include "footfall/body_path.hpp"
 #include "footfall/errors.hpp"
 #include "footfall/ground.hpp"
@@ -150,6 +151,40 @@ class TestBodyPath : public QObject {
       // The same the other way round.
       const BodyPath back = finder.find({6, 1, 0}, {4, 1, 0}, {.radius = radius});
       QVERIFY(isNear(back.path.planLength, path.path.planLength, 1e-9));
+    }
+  }
+
+  // The far floor makes the extent, and with it all that is measured by it, a hundred thousand times the room's size.
+  void theFootOfAPlaceIsOnAWay() {
+    for (const double far : {0.0, 1e6}) {
+      Soup soup = roomWithTwoDoors();
+      soup.floor(2, 3, 2.5, 3.5, 3);
+      if (far > 0) soup.floor(far, far, far + 1, far + 1, 0);
+      const SharedMesh mesh = meshOf(soup);
+      const CorridorNetwork network(*mesh, Poll());
+      const ClearanceField& field = network.field();
+      const FieldSurface& surface = field.surface();
+      const double nearly = 8 * field.margin();
+      std::mt19937_64 random(7);
+      std::uniform_real_distribution<double> number(0, 1);
+      int found = 0;
+      for (int i = 0; i < 400; ++i) {
+        const auto face = static_cast<std::uint32_t>(random() % mesh->triangles.size());
+        const double u = number(random), v = number(random) * (1 - u);
+        const FieldVector a = surface.corner(face, 0), b = surface.corner(face, 1), c = surface.corner(face, 2);
+        const FieldVector p = a + (b - a) * u + (c - a) * v;
+        const auto foot = network.footOf(face, p);
+        if (!foot) continue;
+        ++found;
+        const CorridorWay& way = network.ways()[foot->way];
+        const double at = way.along(foot->place), astray = 0x1p-36 * surface.scale;
+        QVERIFY(at >= way.begin - astray && at <= way.end + astray);
+        for (const std::uint32_t feature : way.features) {
+          const double distance = lengthOf(field.features()[feature].nearestTo(foot->place) - foot->place);
+          QVERIFY2(distance <= foot->distance + nearly, qPrintable(QString::number(distance - foot->distance)));
+        }
+      }
+      QVERIFY2(found > 390, qPrintable(QString::number(found)));
     }
   }
 
