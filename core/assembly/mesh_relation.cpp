@@ -23,7 +23,6 @@ struct TrianglesOfFaces {
 
 MeshRelation relateMeshes(const EarlierResult& earlier, const WalkableMesh& before, const WalkableMesh& now) {
   MeshRelation relation;
-  relation.triangleCountBefore = before.triangles.size();
   relation.triangleBefore.assign(now.triangles.size(), -1);
   relation.vertexBefore.assign(now.vertices.size(), -1);
   relation.vertexNow.assign(before.vertices.size(), -1);

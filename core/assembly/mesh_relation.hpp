@@ -13,10 +13,9 @@ namespace footfall::detail {
 /// triangles alone is what it was.
 struct MeshRelation {
   std::vector<Index> triangleBefore;  ///< number of each triangle in the earlier mesh, or -1; each at most once
-  std::size_t triangleCountBefore = 0;
-  Index related = 0;                ///< number of related triangles
-  std::vector<Index> vertexBefore;  ///< the same for each vertex of a related triangle; others may have -1
-  std::vector<Index> vertexNow;     ///< number now of each vertex of the earlier mesh, or -1
+  Index related = 0;                  ///< number of related triangles
+  std::vector<Index> vertexBefore;    ///< the same for each vertex of a related triangle; others may have -1
+  std::vector<Index> vertexNow;       ///< number now of each vertex of the earlier mesh, or -1
 };
 
 /// `before` is the mesh of a state that `earlier` relates to `now`'s. Triangles of a face are compared in their order;

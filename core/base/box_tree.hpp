@@ -102,12 +102,6 @@ class BoxTree {
     visitGroup(rounded(query), top, 0, first, visit);
   }
 
-  /// The same for boxes of the lanes that `isNear(lower, upper)` gives of four boxes: lower[k] and upper[k] are their
-  /// coordinates relative to centre(). A box around others must be near where one of them is.
-  template <class IsNear, class Visit>
-  void visitWhere(const Bounds& query, const IsNear& isNear, Visit visit) const {
-    if (!levels_.empty()) visitGroupWhere(rounded(query), static_cast<int>(levels_.size()) - 1, 0, isNear, visit);
-  }
   [[nodiscard]] const std::array<double, D>& centre() const { return centre_; }
 
   /// Boxes in a row along the curve whose neighbours are found together: that takes a fraction of the work.
@@ -290,20 +284,6 @@ class BoxTree {
         visit(ids_[child]);
       else
         visitGroup(query, level - 1, child, first, visit);
-    }
-  }
-
-  template <class IsNear, class Visit>
-  void visitGroupWhere(const Node& query, int level, Index group, const IsNear& isNear, Visit& visit) const {
-    const Group& g = levels_[level][group];
-    unsigned hits = findHits(g, query);
-    if (hits != 0) hits &= maskOf(isNear(g.lower, g.upper));
-    for (; hits != 0; hits &= hits - 1) {
-      const Index child = group * kFan + std::countr_zero(hits);
-      if (level == 0)
-        visit(ids_[child]);
-      else
-        visitGroupWhere(query, level - 1, child, isNear, visit);
     }
   }
 
