@@ -12,6 +12,7 @@
 #include <set>
 #include <vector>
 
+#include "core/assembly/walkable_state.hpp"
 #include "core/filters/filter_registry.hpp"
 #include "core/filters/layers/growing_boxes.hpp"
 #include "core/filters/layers/known_overlaps.hpp"
@@ -87,6 +88,23 @@ class TestLayersByOutlines : public QObject {
       const StatePtr state = runFilters(buildingOf(*buildingParts(30)).environment(),
                                         minimalPipeline(1, 60) + "\nStepFilter 0.4\nSimplificationFilter");
       RC_ASSERT(layersOf(state) == layersByPairs(state));
+    }));
+  }
+
+  // What an earlier run left decides all: no pair of triangles is compared that did not overlap before.
+  void aRunWithAnEarlierOneHasItsLayersAndOverlaps() {
+    QVERIFY(check("layers from an earlier run", 60, [] {
+      const StatePtr state = runFilters(buildingOf(*buildingParts(30)).environment(),
+                                        minimalPipeline(1, 60) + "\nStepFilter 0.4\nSimplificationFilter");
+      RunContext context;
+      Recall recall;
+      recall.keep = true;
+      const StatePtr first = applyLayerSubdivision(state, recall, context).state;
+      RC_ASSERT(first->overlaps != nullptr);
+      recall.before = first;
+      const StatePtr second = applyLayerSubdivision(state, recall, context).state;
+      RC_ASSERT(second->mesh->layers == first->mesh->layers);
+      RC_ASSERT(*second->overlaps == *first->overlaps);
     }));
   }
 
