@@ -66,8 +66,10 @@ void printNotes(const Environment& environment, const Pipeline& pipeline, Comman
   const std::vector<ParameterNote> notes = checkParameters(measureLevel(environment, session.context()), pipeline);
   session.end();
   for (const ParameterNote& note : notes) {
-    const std::string step = note.step ? formatStep(pipeline.steps[*note.step]) + ": " : std::string("--scale: ");
-    std::cerr << "footfall: note: " << step << note.text.str() << '\n';
+    const std::string about = note.step       ? formatStep(pipeline.steps[*note.step])
+                              : note.isOnGrid ? std::string("--grid")
+                                              : std::string("--scale");
+    std::cerr << "footfall: note: " << about << ": " << note.text.str() << '\n';
   }
 }
 

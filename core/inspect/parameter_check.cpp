@@ -223,6 +223,7 @@ LevelMeasures measureLevel(const Environment& environment, const Poll& poll) {
   measures.size = {high.x - low.x, high.y - low.y, high.z - low.z};
   measures.doorways = findDoorways(environment, poll);
   measures.bits = grid.width();
+  measures.nearPlaces = countNearPlaces(environment, poll);
   return measures;
 }
 
@@ -274,7 +275,16 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
                                         "runs take many times longer; put them on a grid when the file "
                                         "is read, or check the largest and the smallest ones"),
                           Text::count(static_cast<std::uint64_t>(level.bits))),
-                     std::nullopt});
+                     std::nullopt, true});
+  else if (const NearPlaces& near = level.nearPlaces;
+           near.count >= kFewest && static_cast<double>(near.count) >= kMuch * static_cast<double>(near.all))
+    notes.push_back(
+        {std::nullopt,
+         Text(FOOTFALL_TEXT("%1 vertices lie within %2 m of others without meeting them, as roundings leave "
+                            "them, and runs take several times longer; put the coordinates on a grid when "
+                            "the file is read"),
+              Text::count(near.count), shortNumber(near.step * level.metresPerUnit)),
+         std::nullopt, true});
   return notes;
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/base/poll.hpp"
 #include "core/inspect/doorways.hpp"
+#include "core/inspect/near_places.hpp"
 #include "footfall/environment.hpp"
 #include "footfall/pipeline.hpp"
 
@@ -28,6 +29,7 @@ struct LevelMeasures {
   std::vector<Ramp> ramps;  ///< ascending by slope
   double upwardArea = 0;    ///< of all triangles that face up
   int bits = 0;             ///< of the largest coordinate, in units of the last digit of all coordinates
+  NearPlaces nearPlaces;
 };
 
 /// Measures an environment, rounded, in time proportional to its triangles.
@@ -40,9 +42,10 @@ struct ParameterMend {
 };
 
 struct ParameterNote {
-  std::optional<std::size_t> step;    ///< step of the pipeline, from 0; empty: the note is about the scale
+  std::optional<std::size_t> step;    ///< step of the pipeline, from 0; empty: the note is about what import does
   Text text;                          ///< the problem and the advice
   std::optional<ParameterMend> mend;  ///< empty where the advice is no single number
+  bool isOnGrid = false;              ///< without a step: the note is about the grid of coordinates, not the scale
 };
 
 /// The notes on a pipeline's enabled steps:

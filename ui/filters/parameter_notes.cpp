@@ -79,7 +79,7 @@ void ParameterNotes::show() {
   }
   bool isFine = true;
   for (const ParameterNote& note : notes) {
-    if (!note.step) continue;
+    if (!note.step && !note.isOnGrid) continue;
     isFine = false;
     if (tell(note, pipeline)) return;
   }
@@ -88,7 +88,8 @@ void ParameterNotes::show() {
 
 /// Returns whether the note was shown: it is not the last one again, and no message stands.
 bool ParameterNotes::tell(const ParameterNote& note, const Pipeline& pipeline) {
-  const QString text = QStringLiteral("%1: %2").arg(labelOf(pipeline.steps[*note.step]), coreText(note.text));
+  const QString advice = coreText(note.text);
+  const QString text = note.step ? QStringLiteral("%1: %2").arg(labelOf(pipeline.steps[*note.step]), advice) : advice;
   if (text == told_ || !messages_.text().isEmpty()) return false;
   told_ = text;
   offer(text, note, pipeline);

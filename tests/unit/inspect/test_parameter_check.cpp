@@ -48,8 +48,10 @@ std::shared_ptr<Environment> rooms(const std::vector<std::array<double, 2>>& doo
 QStringList allNotesOf(const Environment& level, const std::string& pipeline) {
   QStringList lines;
   for (const ParameterNote& note : checkParameters(measureLevel(level), parsePipeline(pipeline, "test")))
-    lines << (note.step ? QString::number(*note.step) : QStringLiteral("scale")) + ": " +
-                 QString::fromStdString(note.text.str());
+    lines << (note.step       ? QString::number(*note.step)
+              : note.isOnGrid ? QStringLiteral("grid")
+                              : QStringLiteral("scale")) +
+                 ": " + QString::fromStdString(note.text.str());
   return lines;
 }
 
@@ -267,7 +269,23 @@ class TestParameterCheck : public QObject {
       return notesOf(*Soup().floor(0, 0, 30, 20, 0).floor(x, 0, 30, 20, 3).environment(), "SlopeFilter 45\n");
     };
     QCOMPARE(notesWith(0x1p-50 / 3), QString());  // a rounding error about zero
-    QVERIFY(notesWith(0x1p-80 / 3).startsWith("scale: coordinates of very different sizes need 139 bits together"));
+    QVERIFY(notesWith(0x1p-80 / 3).startsWith("grid: coordinates of very different sizes need 139 bits together"));
+  }
+
+  void verticesThatNearlyMeet() {
+    // A row of tiles, each with vertices of its own, which miss those of the next one by a rounding error.
+    const auto notesWith = [](double off, double grid) {
+      Soup soup;
+      for (int i = 0; i < 20; ++i) soup.floor(3 * i + off * (i % 7), 0, 3 * i + 3 + off * (i % 5), 20, 0);
+      const auto environment = soup.environment();
+      environment->grid.step = grid;
+      return notesOf(*environment, "SlopeFilter 45\n");
+    };
+    QCOMPARE(notesWith(0, 0), QString());
+    QCOMPARE(notesWith(0.125, 0), QString());
+    QCOMPARE(notesWith(0x1p-24, 0).left(72),
+             QString("grid: 38 vertices lie within 3.8147e-06 m of others without meeting them"));
+    QCOMPARE(notesWith(0x1p-24, 0x1p-18), QString());  // a grid is in use
   }
 
   void cancels() {

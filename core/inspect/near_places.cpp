@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/inspect/near_places.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <compare>
+#include <cstddef>
+#include <vector>
+
+#include "core/environment/coordinate_grid.hpp"
+
+namespace footfall::detail {
+namespace {
+
+constexpr std::size_t kMostPlaces = std::size_t{1} << 16;
+constexpr std::size_t kPolled = 1 << 14;
+
+/// A vertex and the place of the grid nearest to it.
+struct Rounded {
+  std::array<std::int64_t, 3> place;
+  std::array<double, 3> vertex;
+  auto operator<=>(const Rounded&) const = default;
+};
+
+std::uint64_t mixed(const std::array<std::int64_t, 3>& place) {
+  std::uint64_t key = 0;
+  for (const std::int64_t x : place) {
+    key = (key ^ static_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U;
+    key ^= key >> 32;
+  }
+  return key;
+}
+
+}  // namespace
+
+NearPlaces countNearPlaces(const Environment& environment, Poll poll) {
+  if (environment.grid.step > 0) return {};
+  GridExtent extent;
+  for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
+    if (t % kPolled == 0) poll();
+    for (const std::uint32_t v : environment.triangles[t]) extent.include(environment.vertices[v]);
+  }
+  for (const Vec3& v : environment.vertices) extent.includeVertex(v);
+  const double step = extent.isEmpty ? 0 : usualGridStep(extent, environment.metresPerUnit);
+  if (step == 0) return {};
+  const std::uint64_t parts = std::bit_floor(environment.vertices.size() / kMostPlaces + 1);
+  std::vector<Rounded> places;
+  for (std::size_t i = 0; i < environment.vertices.size(); ++i) {
+    if (i % kPolled == 0) poll();
+    const Vec3& v = environment.vertices[i];
+    const GridPlace place = gridPlace(v, step);
+    if ((mixed(place) & (parts - 1)) == 0) places.push_back({place, {v.x + 0.0, v.y + 0.0, v.z + 0.0}});
+  }
+  std::sort(places.begin(), places.end());
+  NearPlaces result{0, 0, step};
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (i > 0 && places[i] == places[i - 1]) continue;
+    result.all += parts;
+    if (i > 0 && places[i].place == places[i - 1].place) result.count += parts;
+  }
+  return result;
+}
+
+}  // namespace footfall::detail
