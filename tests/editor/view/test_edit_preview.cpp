@@ -197,6 +197,26 @@ class TestEditPreview : public QObject {
     checkMargins("SlopeFilter 45\nVerticalClearanceFilter 2\nStepFilter 0.4 0.2\n", 0.4);
   }
 
+  void aRoundHoleNearAWallHasManyBorders() {
+    // A square with a hole of 200 sides. Each triangle is divided between one wall and dozens of sides of the hole.
+    constexpr int kSides = 200;
+    std::string obj = "v 4 4 0\nv -4 4 0\nv -4 -4 0\nv 4 -4 0\n";
+    for (int i = 0; i < kSides; ++i) {
+      const double angle = 2 * std::acos(-1.0) * i / kSides;
+      obj += "v " + std::to_string(3 * std::cos(angle)) + " " + std::to_string(3 * std::sin(angle)) + " 0\n";
+    }
+    const auto face = [&obj](int a, int b, int c) {
+      obj += "f " + std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + "\n";
+    };
+    for (int i = 0; i < kSides; ++i) {
+      const int corner = 1 + i * 4 / kSides, next = (i + 1) % kSides;
+      face(corner, 5 + next, 5 + i);
+      if (next * 4 % kSides == 0) face(corner, 1 + corner % 4, 5 + next);
+    }
+    load(QByteArray::fromStdString(obj));
+    checkMargins("SlopeFilter 45\nVerticalClearanceFilter 2\n", 0.3);
+  }
+
   void aPreviewServesAllRadiiOfItsFloor() {
     load(tableObj());
     const auto preview = prepare(FilterType::Radius, 0.5);

@@ -4,25 +4,24 @@
 
 #include <array>
 #include <cstddef>
+#include <vector>
 
 #include "footfall/geometry.hpp"
 #include "ui/base/namespaces.hpp"
 
 namespace footfall::ui {
 
-/// A convex polygon in the plan, with heights. A triangle that is cut `kMostCuts` times has no more corners.
+/// A convex polygon in the plan, with heights.
 class ConvexPolygon {
  public:
-  static constexpr std::size_t kMostCuts = 26;
-  void clear() { size_ = 0; }
-  void add(const Vec3& corner) { corners_[size_++] = corner; }
-  [[nodiscard]] std::size_t size() const { return size_; }
+  void clear() { corners_.clear(); }
+  void add(const Vec3& corner) { corners_.push_back(corner); }
+  [[nodiscard]] std::size_t size() const { return corners_.size(); }
   [[nodiscard]] const Vec3& operator[](std::size_t i) const { return corners_[i]; }
-  [[nodiscard]] const Vec3& behind(std::size_t i) const { return corners_[i + 1 < size_ ? i + 1 : 0]; }
+  [[nodiscard]] const Vec3& behind(std::size_t i) const { return corners_[i + 1 < corners_.size() ? i + 1 : 0]; }
 
  private:
-  std::array<Vec3, 3 + kMostCuts> corners_;
-  std::size_t size_ = 0;
+  std::vector<Vec3> corners_;
 };
 
 /// Cuts a polygon, with memory for the next one.
