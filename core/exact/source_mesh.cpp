@@ -264,7 +264,10 @@ namespace {
 
 using PlaceKey = std::array<std::uint64_t, 2>;
 
-PlaceKey keyOf(const Vec3& p) { return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y)}; }
+// -0 equals 0.
+PlaceKey keyOf(const Vec3& p) {
+  return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0)};
+}
 
 /// One bit for each hash of a place in the plan. Most places that are added are no vertices, and a bisection for each
 /// would read all over the memory.
