@@ -2199,6 +2199,10 @@
         <source>the corridor map is too large for glTF, which ends at 4 GB; write it as .json</source>
         <translation>die Korridorkarte ist zu groß für glTF, das bei 4 GB endet; schreiben Sie sie als .json</translation>
     </message>
+    <message>
+        <source>%1 vertices lie within %2 m of others without meeting them, as roundings leave them, and runs take several times longer; put the coordinates on a grid when the file is read</source>
+        <translation>%1 Eckpunkte liegen innerhalb von %2 m neben anderen, ohne sie zu treffen, wie Rundungen sie hinterlassen, und Läufe dauern um ein Mehrfaches länger; legen Sie die Koordinaten beim Lesen der Datei auf ein Raster</translation>
+    </message>
 </context>
 <context>
     <name>Filter</name>
