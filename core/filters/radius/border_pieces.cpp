@@ -92,12 +92,12 @@ std::vector<EdgePiece> grazedWalls(BorderKinds& kinds) {
   return walls;
 }
 
-/// Returns whether a triangle leans by at most `reach` between the step and the clearance: an upright wall that
-/// rounding to a grid tilted.
+/// Returns whether a triangle leans by at most `reach`, to within rounding, between the step and the clearance: an
+/// upright wall that rounding to a grid tilted. A reach of 0 stands for no grid.
 bool isTilted(BorderKinds& kinds, Index triangle, double reach) {
   if (reach == 0) return false;
   const auto [n, atBegin, atEnd] = heightsOver(kinds.frame(), kinds.cornersOf(triangle));
-  return std::hypot(n.x, n.y) * reach >=
+  return std::hypot(n.x, n.y) * reach * (1 + 0x1p-40) >=
          std::fabs(n.z) * (kinds.heightOf(kinds.heightLevel()) - kinds.heightOf(kinds.stepLevel()));
 }
 

@@ -180,12 +180,15 @@ std::optional<GapPiece> GapConditions::findBetween(const GapBorder& first, const
   const auto& [own, other] = places;
   if (!(own[1] - own[0] > kShort) || !(other[1] - other[0] > kShort)) return std::nullopt;
   const Profiles p(piece.frame, first, second);
-  const double highest = step_ - 4 * p.heightSlack(), most = gap_ - kSpareWidth;
+  // What findFree() leaves to turned ways must not make the higher floor an obstacle.
+  const double skew = std::max(std::fabs(other[0] - own[0]), std::fabs(other[1] - own[1]));
+  const double highest = step_ - 4 * p.heightSlack() - 2 * skew * std::max(p.first.slope(), p.second.slope());
+  const double most = gap_ - kSpareWidth;
   std::array<double, 2> rises{};
   for (const std::size_t i : {0, 1}) {
     const double along = other[i] - own[i];
     const double across = p.second.acrossAt(other[i]) - p.first.acrossAt(own[i]);
-    const bool isKnown = along == 0;  // an end of the piece as it was
+    const bool isKnown = own[i] == piece.ends[i] && other[i] == piece.ends[i];  // an end of the piece as it was
     if (!isKnown && !(along * along + across * across <= most * most && across > 2 * kTouch)) return std::nullopt;
     // The way's angle with a border has the sine of their cross product.
     for (const Profile* border : {&p.first, &p.second}) {
@@ -214,7 +217,10 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   const GapFrame& frame = near.frame;
   const Profiles p(frame, first, second);
   const double begin = near.ends[0], end = near.ends[1];
-  const double slack = p.heightSlack();
+  // A turned way leads as far as its skew along the borders, whose heights change on the way.
+  const double slack = p.heightSlack() + near.skew * std::max(p.first.slope(), p.second.slope());
+  // The outermost places of both borders.
+  const std::array<double, 2> reached{std::min(begin, near.placeAcross(begin)), std::max(end, near.placeAcross(end))};
   // The lower and the higher border; either may be both where they cross.
   std::vector<const Profile*> lower, higher;
   const double riseBegin = p.riseAt(begin), riseEnd = p.riseAt(end);
@@ -227,7 +233,7 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
     box.upper[k] = -kInfinity;
   }
   for (const Profile* border : {&p.first, &p.second})
-    for (const double along : {begin - near.skew, end + near.skew}) {
+    for (const double along : reached) {
       Vec3 place = frame.place(along, lineAt(*border, border->across, along));
       place.z = lineAt(*border, border->height, along);
       const std::array<double, 3> values{place.x, place.y, place.z};
@@ -245,10 +251,9 @@ std::vector<GapPiece> GapConditions::findFree(const GapBorder& first, const GapB
   }
 
   GapPiece whole = near;
-  const double skew = near.skew;  // ways begin and end that far beyond their places
+  const double skew = near.skew;  // no way leads farther along the borders
   std::vector<std::array<double, 2>> blocked;
   std::vector<Corner> polygon, room;
-  const std::array<double, 2> reached{begin - skew, end + skew};
   const GapStrip strip = stripOf(p, reached);
   const GapStrip::Heights heights = heightsOf(p, reached, {step_ - 2 * slack, clearance_ + 2 * slack});
   bool isBlocked = false;  // as a whole, so that no other obstacle matters

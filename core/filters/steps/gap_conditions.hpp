@@ -105,7 +105,7 @@ class GapConditions {
   /// The frame of two borders that face each other; its ways are at a right angle to their bisector.
   [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second);
   /// The distance along a frame by which vertices of a link can be off from being across from each other.
-  static constexpr double kMostOff = 4 * kAcross;
+  static constexpr double kMostOff = 2 * kAcross;
   /// The frame of a link between a piece of each. Its ways run from end to end of these pieces where such ways are
   /// parallel and meet the borders at a sufficient angle.
   [[nodiscard]] static std::optional<GapFrame> frameOf(const GapBorder& first, const GapBorder& second,

@@ -105,6 +105,33 @@ class TestGapCurves : public QObject {
     QVERIFY(agrees(blocked.environment(), 0.25, 0.08, 1e-6, counts));
   }
 
+  // Corners that lie exactly across from each other are farther apart than the gap: no way leads there.
+  void cornersAcrossFromEachOtherThatAreTooFarApart() {
+    const Soup soup = Soup()
+                          .triangle({0, 0, 0}, {1, 0.0625, 0}, {0.5, 2, 0})
+                          .triangle({1, -0.453125, 0}, {0, -0.390625, 0}, {0.5, -2, 0});
+    const NavigationMesh mesh = linked(soup, 0.25, 0.5);
+    QVERIFY(gapCount(mesh) > 0);
+    for (const StepLink& link : mesh.links) QVERIFY(link.width <= 0.5 * (1 + 1e-12));
+    Counts counts;
+    QVERIFY(agrees(soup.environment(), 0.25, 0.5, 1e-6, counts));
+  }
+
+  // A way that leads along a slope begins lower than the floor is where a post stands beside the way.
+  void postsBesideWaysAlongASlope() {
+    const auto ramp = [](double begin, double y) {
+      return Soup().quad({begin, y, begin / 2}, {begin + 1, y, begin / 2 + 0.5}, {begin + 1, y + 1, begin / 2 + 0.5},
+                         {begin, y + 1, begin / 2});
+    };
+    for (const double at : {0.3, 0.5, 0.7, 0.9}) {
+      const double top = at / 2 + 0.35;
+      Soup soup = ramp(0, 0).add(ramp(0.15, -1.3));
+      soup.box({at, -0.299, 0}, {at + 0.01, -0.28, top});
+      Counts counts;
+      QVERIFY2(agrees(soup.environment(), 0.4, 0.4, 1e-6, counts), qPrintable(QString::number(at)));
+    }
+  }
+
   // What a later filter leaves of a way keeps its direction: no wedge opens at the corners that are left.
   void laterFiltersKeepWaysSideBySide() {
     const Soup soup = halfRing({0.03, 0, 0.125}).ceiling(1.5, -0.25, 2.5, 0.125, 2.5);
