@@ -206,8 +206,8 @@ void preparePaths(const std::shared_ptr<Mesh>& mesh, const std::shared_ptr<Mesh>
     finderOf(*mesh);
     return;
   }
-  mesh->finder = interruptible(py::none(), [&data = mesh->data, &known = *before->finder](RunContext& context) {
-    return std::make_shared<const PathFinder>(data, known, &context);
+  mesh->finder = interruptible(py::none(), [&data = mesh->data, known = before->finder](RunContext& context) {
+    return std::make_shared<const PathFinder>(data, *known, &context);
   });
 }
 

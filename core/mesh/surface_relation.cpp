@@ -11,9 +11,11 @@ namespace {
 
 // Triangles that went are passed by looking so far ahead among the earlier ones; less far once there is a table.
 constexpr std::size_t kLookAhead = 32, kLookAheadWithTable = 4;
-// From so many triangles on that are not found so, they are looked for at any place: layers that changed their order
-// move many triangles at once.
+// The number of triangles that are not found so, from which on they are looked for at any place: layers that changed
+// their order move many triangles at once.
 constexpr std::size_t kFewLost = 64;
+// A look-up in the table ends after so many places, so that thousands of equal triangles take no longer.
+constexpr std::size_t kMostPlaces = 256;
 constexpr std::uint32_t kPolled = 4096;
 
 class SurfaceMatcher {
@@ -33,16 +35,18 @@ class SurfaceMatcher {
       if (matchFrom(next, t)) continue;
       lost.push_back(t);
       if (lost.size() < kFewLost) continue;
-      if (lost.size() == kFewLost) fillTable();
+      if (table_.empty()) fillTable(poll);
       if (const std::uint32_t found = findAnywhere(t); found != kNoElement) {
         next = found + 1;
         lost.pop_back();
       }
     }
     if (lost.empty() || relation_.related == before_.triangles.size()) return;
-    if (table_.empty()) fillTable();
-    for (const std::uint32_t t : lost)
-      if (relation_.triangleBefore[t] == kNoElement) findAnywhere(t);
+    if (table_.empty()) fillTable(poll);
+    for (std::size_t i = 0; i < lost.size(); ++i) {
+      if (i % kPolled == 0) poll();
+      if (relation_.triangleBefore[lost[i]] == kNoElement) findAnywhere(lost[i]);
+    }
   }
 
  private:
@@ -57,32 +61,41 @@ class SurfaceMatcher {
     return false;
   }
 
-  /// The place of a triangle's first side in a table of the given size, a power of 2.
+  /// The place of a triangle's corners in a table of the given size, a power of 2.
   static std::size_t placeOf(const NavigationMesh& mesh, std::uint32_t triangle, std::size_t size) {
-    const Triangle& corners = mesh.triangles[triangle];
-    const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]];
     std::uint64_t key = 0;
-    for (const double x : {a.x, a.y, a.z, b.x, b.y, b.z}) {
-      key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 equals 0
-      key ^= key >> 32;
+    for (const std::uint32_t v : mesh.triangles[triangle]) {
+      const Vec3& p = mesh.vertices[v];
+      for (const double x : {p.x, p.y, p.z}) {
+        key = (key ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9E3779B97F4A7C15U;  // -0 equals 0
+        key ^= key >> 32;
+      }
     }
     return static_cast<std::size_t>(key) & (size - 1);
   }
 
-  void fillTable() {
+  void fillTable(const Poll& poll) {
     table_.assign(std::bit_ceil(2 * before_.triangles.size() + 1), kNoElement);
     for (std::uint32_t o = 0; o < before_.triangles.size(); ++o) {
+      if (o % kPolled == 0) poll();
       if (relation_.triangleNow[o] != kNoElement) continue;
-      std::size_t place = placeOf(before_, o, table_.size());
-      while (table_[place] != kNoElement) place = (place + 1) & (table_.size() - 1);
-      table_[place] = o;
+      const std::size_t first = placeOf(before_, o, table_.size());
+      for (std::size_t i = 0; i < kMostPlaces; ++i) {
+        std::uint32_t& entry = table_[(first + i) & (table_.size() - 1)];
+        if (entry != kNoElement) continue;
+        entry = o;
+        break;
+      }
     }
   }
 
   std::uint32_t findAnywhere(std::uint32_t t) {
-    for (std::size_t place = placeOf(now_, t, table_.size()); table_[place] != kNoElement;
-         place = (place + 1) & (table_.size() - 1))
-      if (match(table_[place], t)) return table_[place];
+    const std::size_t first = placeOf(now_, t, table_.size());
+    for (std::size_t i = 0; i < kMostPlaces; ++i) {
+      const std::uint32_t then = table_[(first + i) & (table_.size() - 1)];
+      if (then == kNoElement) break;
+      if (match(then, t)) return then;
+    }
     return kNoElement;
   }
 
@@ -113,7 +126,7 @@ class SurfaceMatcher {
   const NavigationMesh &before_, &now_;
   SurfaceRelation& relation_;
   std::vector<std::uint32_t> vertexBefore_;
-  std::vector<std::uint32_t> table_;  ///< earlier triangles by their first sides
+  std::vector<std::uint32_t> table_;  ///< earlier triangles by their corners
 };
 
 }  // namespace

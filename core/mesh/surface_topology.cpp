@@ -58,6 +58,7 @@ class TopologyMaker {
         if (a != b && (isNew[a] == 0 || isNew[b] == 0)) continue;
         sides.emplace_back(std::uint64_t{std::min(a, b)} << 32 | std::max(a, b), static_cast<Index>(3 * t + i));
         made_.neighbours[t][i] = kNoElement;
+        made_.across[t][i] = 0;
         uncertain_.push_back(3 * t + i);
       }
     }
