@@ -47,14 +47,6 @@ class GrowingBoxes {
     return found;
   }
 
-  /// Calls visit(id) for each box.
-  template <class Visit>
-  void forEach(const Visit& visit) const {
-    for (const Part& part : parts_)
-      for (const Entry& entry : part.entries) visit(entry.id);
-    for (const Entry& entry : few_) visit(entry.id);
-  }
-
  private:
   struct Part {
     BoxTree<2> tree;  ///< of the numbers of `entries`

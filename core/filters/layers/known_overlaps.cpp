@@ -16,9 +16,10 @@
 namespace footfall::detail {
 namespace {
 
-constexpr std::size_t kPerTask = 64, kMostPairsOfTriangle = 64;
+constexpr std::size_t kPerTask = 64, kMostPairsOfTriangle = 8, kMostTestsOfTriangle = 256;
 
-/// Compares triangles of no group with all, and settles them. Leaves all as it is where too many overlap.
+/// Compares triangles of no group with all, and settles them. Leaves all as it is where too many overlap, or too many
+/// are near each other.
 void settle(KnownOverlaps& known, const PlanKernel& kernel, const WalkableMesh& mesh, const PlanTriangles& plan,
             RunContext& context, ExactFallbacks& fallbacks) {
   std::vector<Index> changed;
@@ -33,23 +34,28 @@ void settle(KnownOverlaps& known, const PlanKernel& kernel, const WalkableMesh& 
   };
   PerThread<Local> locals([&] { return Local{MeshGeometry(kernel, mesh.vertices), {}}; });
   const std::size_t most = kMostPairsOfTriangle * known.group.size();
-  std::atomic<std::size_t> count = 0;
+  const std::size_t mostTests = kMostTestsOfTriangle * known.group.size();
+  std::atomic<std::size_t> count = 0, tests = 0;
   parallelRanges(known.group.size(), kPerTask, [&](const auto& range) {
     Local& local = locals.local();
     context.checkCancelled();
-    for (std::size_t i = range.begin(); i != range.end() && count <= most; ++i) {
+    for (std::size_t i = range.begin(); i != range.end() && count <= most && tests <= mostTests; ++i) {
+      std::size_t own = 0;
       const auto t = static_cast<Index>(i);
       const BoxTree<2>::Bounds& bounds = plan.boundsOf(t);
       tree.visitOverlapping(bounds, [&](Index o) {
         if ((known.group[i] < 0 && o <= t) || haveApartInsides(bounds, plan.boundsOf(o))) return;
+        ++own;
         if (!local.geometry.overlap(plan.planOf(t), plan.planOf(o)) || ++count > most) return;
         local.found.push_back({t, o});
       });
+      tests += own;
     }
   });
-  if (count > most) return;  // the place where it stopped depends on threads
-  for (const Local& local : locals) {
+  if (count > most || tests > mostTests) return;  // the place where it stopped depends on threads
+  for (Local& local : locals) {
     known.pairs.insert(known.pairs.end(), local.found.begin(), local.found.end());
+    local.found = {};
     fallbacks += local.geometry.fallbacks;
   }
   for (const Index t : changed) known.group[t] = kSettled;
@@ -77,7 +83,9 @@ std::vector<Index> trianglesBefore(MeshRelation relation, const WalkableMesh& be
     for (Index& v : corners) v = relation.vertexBefore[v];
     std::sort(corners.begin(), corners.end());
     const auto same = std::lower_bound(others.begin(), others.end(), std::pair{corners, Index{0}});
-    if (same != others.end() && same->first == corners) triangles[t] = same->second;
+    if (same == others.end() || same->first != corners || isRelated[same->second] != 0) continue;
+    triangles[t] = same->second;  // a second triangle with the same corners is not related
+    isRelated[same->second] = 1;
   }
   return std::move(triangles);
 }

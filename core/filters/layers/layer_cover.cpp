@@ -21,8 +21,8 @@ constexpr std::size_t kSquaresOfPiece = 4, kPiecesPerTask = 64;
 constexpr std::uint32_t kManyLayers = 8;       ///< from so many on, squares prove that pieces overlap
 constexpr std::uint32_t kVeryManyLayers = 64;  ///< from so many on, four of each triangle
 constexpr std::size_t kMostMiddles = 8;
-constexpr std::size_t kFewTriangles = 16;  ///< of a piece, of which no tree is made
-constexpr std::size_t kFewLookUps = 16;    ///< among all triangles of a piece, before a tree is made of them
+constexpr std::size_t kFewTriangles = 16;  ///< most triangles of a piece without a tree
+constexpr std::size_t kFewLookUps = 16;  ///< most look-ups among all triangles of a piece before a tree is made of them
 
 }  // namespace
 

@@ -7,7 +7,8 @@
 namespace footfall::detail {
 namespace {
 
-constexpr int kFewLookUps = 8;  ///< among all members of a piece, before a tree is made of them
+constexpr int kFewLookUps = 8;          ///< most look-ups among all members of a piece before a tree is made of them
+constexpr std::size_t kFewOthers = 64;  ///< most members of other groups that are compared one by one
 
 }  // namespace
 
@@ -38,11 +39,12 @@ bool PieceConflicts::test(Index triangle, Index other) {
 void PieceConflicts::begin(Index piece) {
   growing_ = piece;
   main_ = -1;
-  std::fill(sizes_.begin(), sizes_.end(), 0);
   late_.clear();
   lookUps_ = 0;
   tree_.clear();
   others_ = {};
+  for (const Index t : taken_)
+    if (groupOf(t) >= 0 && groupOf(t) < static_cast<Index>(sizes_.size())) sizes_[groupOf(t)] = 0;
   taken_.clear();
 }
 
@@ -133,7 +135,7 @@ bool PieceConflicts::overlapsAny(Index triangle, Members& members, const Counts&
   if (knowsAllOf(triangle)) return false;
   const auto visit = [&](Index other) { return counts(other) && test(triangle, other); };
   const auto isAny = [&](const std::vector<Index>& some) { return std::any_of(some.begin(), some.end(), visit); };
-  if (isOf(members.main, triangle)) return isAny(members.others);
+  if (isOf(members.main, triangle) && members.others.size() <= kFewOthers) return isAny(members.others);
   if (!members.tree) {
     if (members.lookUps++ < kFewLookUps) return isAny(members.all);
     members.tree = std::make_unique<GrowingBoxes>();

@@ -91,7 +91,7 @@ class TestLayersByOutlines : public QObject {
     }));
   }
 
-  // What an earlier run left decides all: no pair of triangles is compared that did not overlap before.
+  // The earlier run is believed: one that claims a single layer gets it.
   void aRunWithAnEarlierOneHasItsLayersAndOverlaps() {
     QVERIFY(check("layers from an earlier run", 60, [] {
       const StatePtr state = runFilters(buildingOf(*buildingParts(30)).environment(),
@@ -105,6 +105,14 @@ class TestLayersByOutlines : public QObject {
       const StatePtr second = applyLayerSubdivision(state, recall, context).state;
       RC_ASSERT(second->mesh->layers == first->mesh->layers);
       RC_ASSERT(*second->overlaps == *first->overlaps);
+      auto claimed = std::make_shared<WalkableState>(*first);
+      auto mesh = std::make_shared<WalkableMesh>(*first->mesh);
+      std::fill(mesh->layers.begin(), mesh->layers.end(), 0);
+      claimed->mesh = mesh;
+      claimed->overlaps = std::make_shared<const std::vector<std::array<Index, 2>>>();
+      recall.before = claimed;
+      const StatePtr third = applyLayerSubdivision(state, recall, context).state;
+      RC_ASSERT(third->mesh->layers == mesh->layers);
     }));
   }
 
