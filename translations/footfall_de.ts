@@ -609,7 +609,7 @@
     </message>
     <message>
         <source>the corridor map</source>
-        <translation>die Karte der Durchgänge</translation>
+        <translation>die Korridorkarte</translation>
     </message>
     <message>
         <source>the path</source>
@@ -2200,8 +2200,8 @@
         <translation>die Korridorkarte ist zu groß für glTF, das bei 4 GB endet; schreiben Sie sie als .json</translation>
     </message>
     <message>
-        <source>%1 vertices lie within %2 m of others without meeting them, as roundings leave them, and runs take several times longer; put the coordinates on a grid when the file is read</source>
-        <translation>%1 Eckpunkte liegen innerhalb von %2 m neben anderen, ohne sie zu treffen, wie Rundungen sie hinterlassen, und Läufe dauern um ein Mehrfaches länger; legen Sie die Koordinaten beim Lesen der Datei auf ein Raster</translation>
+        <source>about %1 vertices lie within %2 m of others without meeting them, as roundings leave them, and runs take several times longer; put the coordinates on a grid when the file is read</source>
+        <translation>etwa %1 Eckpunkte liegen innerhalb von %2 m neben anderen, ohne sie zu treffen, wie Rundungen sie hinterlassen, und Läufe dauern um ein Mehrfaches länger; legen Sie die Koordinaten beim Lesen der Datei auf ein Raster</translation>
     </message>
 </context>
 <context>
@@ -5022,7 +5022,7 @@
     </message>
     <message>
         <source>Their corridor map takes a while on large levels</source>
-        <translation>Ihre Karte der Durchgänge braucht in großen Leveln eine Weile</translation>
+        <translation>Ihre Korridorkarte braucht in großen Leveln eine Weile</translation>
     </message>
     <message>
         <source>File</source>
@@ -7743,7 +7743,7 @@ Material: %2</translation>
     </message>
     <message>
         <source>Corridor &amp;map</source>
-        <translation>&amp;Karte der Durchgänge</translation>
+        <translation>&amp;Korridorkarte</translation>
     </message>
     <message>
         <source>Draw lines in the middle of all passages</source>

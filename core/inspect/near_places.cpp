@@ -37,9 +37,13 @@ std::uint64_t mixed(const std::array<std::int64_t, 3>& place) {
 NearPlaces countNearPlaces(const Environment& environment, Poll poll) {
   if (environment.grid.step > 0) return {};
   GridExtent extent;
+  std::vector<char> isCorner(environment.vertices.size(), 0);
   for (std::size_t t = 0; t < environment.triangles.size(); ++t) {
     if (t % kPolled == 0) poll();
-    for (const std::uint32_t v : environment.triangles[t]) extent.include(environment.vertices[v]);
+    for (const std::uint32_t v : environment.triangles[t]) {
+      extent.include(environment.vertices[v]);
+      isCorner[v] = 1;
+    }
   }
   for (const Vec3& v : environment.vertices) extent.includeVertex(v);
   const double step = extent.isEmpty ? 0 : usualGridStep(extent, environment.metresPerUnit);
@@ -48,6 +52,7 @@ NearPlaces countNearPlaces(const Environment& environment, Poll poll) {
   std::vector<Rounded> places;
   for (std::size_t i = 0; i < environment.vertices.size(); ++i) {
     if (i % kPolled == 0) poll();
+    if (isCorner[i] == 0) continue;
     const Vec3& v = environment.vertices[i];
     const GridPlace place = gridPlace(v, step);
     if ((mixed(place) & (parts - 1)) == 0) places.push_back({place, {v.x + 0.0, v.y + 0.0, v.z + 0.0}});

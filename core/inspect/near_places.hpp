@@ -10,8 +10,8 @@
 namespace footfall::detail {
 
 struct NearPlaces {
-  std::uint64_t count = 0;  ///< places of vertices with another place near by, about; all where they are few
-  std::uint64_t all = 0;    ///< places of vertices, about
+  std::uint64_t count = 0;  ///< places of corners beyond the first at one place of the grid, about
+  std::uint64_t all = 0;    ///< places of corners, about
   double step = 0;          ///< of the usual grid, on which they are one place; 0: there is none, or it is in use
 };
 

@@ -19,15 +19,17 @@
 namespace footfall::detail {
 namespace {
 
-constexpr double kSame = 1e-6;        // heights that differ by less of them are the same but for roundings
-constexpr double kNear = 0.05;        // a step that misses risers by less of it was meant to climb them
-constexpr double kFewestAgents = 10;  // heights of agents in the longest side of a level
-constexpr double kLargest = 20000;    // metres
-constexpr double kNearSlope = 0.05;   // degrees beyond the limit that roundings can make of a slope
-constexpr double kSameSlope = 1e-12;  // of angles that are computed in doubles
-constexpr double kMuch = 0.01;        // of all that faces up
-constexpr std::size_t kFewest = 6;    // triangles: three risers are stairs
-constexpr int kMostBits = 128;        // of coordinates; levels with rounding errors about zero have up to 120
+constexpr double kSame = 1e-6;            // heights that differ by less of them are the same but for roundings
+constexpr double kNear = 0.05;            // a step that misses risers by less of it was meant to climb them
+constexpr double kFewestAgents = 10;      // heights of agents in the longest side of a level
+constexpr double kLargest = 20000;        // metres
+constexpr double kNearSlope = 0.05;       // degrees beyond the limit that roundings can make of a slope
+constexpr double kSameSlope = 1e-12;      // of angles that are computed in doubles
+constexpr double kMuch = 0.01;            // of all that faces up
+constexpr std::size_t kFewest = 6;        // triangles: three risers are stairs
+constexpr std::uint64_t kFewestNear = 6;  // vertices that miss others
+constexpr double kMuchNear = 0.01;        // of all vertices
+constexpr int kMostBits = 128;            // of coordinates; levels with rounding errors about zero have up to 120
 
 /// The text of a note, empty where there is none, and its change.
 struct Advice {
@@ -277,10 +279,10 @@ std::vector<ParameterNote> checkParameters(const LevelMeasures& level, const Pip
                           Text::count(static_cast<std::uint64_t>(level.bits))),
                      std::nullopt, true});
   else if (const NearPlaces& near = level.nearPlaces;
-           near.count >= kFewest && static_cast<double>(near.count) >= kMuch * static_cast<double>(near.all))
+           near.count >= kFewestNear && static_cast<double>(near.count) >= kMuchNear * static_cast<double>(near.all))
     notes.push_back(
         {std::nullopt,
-         Text(FOOTFALL_TEXT("%1 vertices lie within %2 m of others without meeting them, as roundings leave "
+         Text(FOOTFALL_TEXT("about %1 vertices lie within %2 m of others without meeting them, as roundings leave "
                             "them, and runs take several times longer; put the coordinates on a grid when "
                             "the file is read"),
               Text::count(near.count), shortNumber(near.step * level.metresPerUnit)),
