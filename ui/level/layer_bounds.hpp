@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <memory>
 
 #include "ui/base/work/latest_work.hpp"
@@ -11,8 +12,8 @@
 
 namespace footfall::ui {
 
-/// Works in the background after a run, while the list is in sight. A run that begins stops it, because it needs the
-/// processors.
+/// Works in the background on one thread after a run, while the list is in sight. It begins when no run has followed
+/// for a moment; the bounds of a result that is no longer the last are dropped.
 class LayerBounds : public QObject {
   Q_OBJECT
 
@@ -24,8 +25,9 @@ class LayerBounds : public QObject {
 
   RunController& controller_;
   LayerPanel& panel_;
-  std::shared_ptr<const FinishedRun> run_;  ///< whose bounds are known or sought
-  LatestWork work_;                         // declared last: its thread ends before the other members are destroyed
+  QTimer rest_;
+  std::weak_ptr<const FinishedRun> run_;  ///< its bounds are known or sought
+  LatestWork work_;                       // declared last: its thread ends before the other members are destroyed
 };
 
 }  // namespace footfall::ui

@@ -43,6 +43,7 @@ void WayFinder::prepare(const WayGround& wanted, bool forBody, RunContext& conte
     const auto mesh = wanted.run ? meshWithoutRadius(*wanted.run, wanted.cache.get(), context) : wanted.mesh;
     return std::make_unique<BodyPathFinder>(mesh, &context);
   });
+  earlier_.reset();
 }
 
 FoundWay WayFinder::find(const Vec3& start, const Vec3& target, const WalkingBody& body,

@@ -47,7 +47,7 @@ void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const Navigat
     if (known != known_.end() && known->second->suits(edited)) {
       kept.insert(*known);
     } else {
-      missing_.push_back({name, std::move(edited), {}});
+      missing_.push_back({name, std::move(edited), {}, {}});
       if (step.filter->type != FilterType::Radius) continue;
       Pipeline before;
       for (std::size_t k = 0; k < i; ++k) before.steps.push_back(*job.steps[k]);
@@ -61,8 +61,10 @@ void EditPreviews::follow(const RunJob& job, const std::shared_ptr<const Navigat
 }
 
 void EditPreviews::prepare(const std::shared_ptr<const Environment>& environment, const Vec3& centre) {
-  for (Missing& missing : std::exchange(missing_, {})) {
-    queue_.post([this, missing = std::move(missing), context = context_, environment, centre]() mutable {
+  for (Missing& wanted : missing_) {
+    if (wanted.asked == context_) continue;
+    wanted.asked = context_;
+    queue_.post([this, missing = wanted, context = context_, environment, centre]() mutable {
       std::shared_ptr<const EditPreview> made;
       try {
         context->checkCancelled();
@@ -72,7 +74,9 @@ void EditPreviews::prepare(const std::shared_ptr<const Environment>& environment
         return;  // cancelled, no pipeline of its own before the step, or memory ran out: a run shows the first change
       }
       const auto keep = [this, name = missing.name, context, made] {
-        if (made && context == context_) known_[name] = made;
+        if (!made || context != context_) return;
+        known_[name] = made;
+        std::erase_if(missing_, [&](const Missing& done) { return done.name == name; });
       };
       QMetaObject::invokeMethod(this, keep, Qt::QueuedConnection);
     });

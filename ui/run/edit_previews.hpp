@@ -44,6 +44,7 @@ class EditPreviews : public QObject {
     EditedStep step;
     /// Makes EditedStep::product; empty for filters that do not need it. May throw.
     std::function<std::shared_ptr<const NavigationMesh>(RunContext&)> makeProduct;
+    std::shared_ptr<RunContext> asked = nullptr;  ///< of the preparation that is under way; another one was stopped
   };
 
   std::map<std::string, std::shared_ptr<const EditPreview>> known_;

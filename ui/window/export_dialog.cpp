@@ -447,7 +447,8 @@ void ExportDialog::estimate() {
   if (estimating_) estimating_->cancel();
   estimating_.reset();
   const bool isMade = meshFormat(kind()) || isPlan(kind());
-  if (!isMade || !source_.run || !source_.isUpToDate || !scale_->problem().isEmpty() || !plan_->problem().isEmpty()) {
+  const bool isWrong = !scale_->problem().isEmpty() || (isPlan(kind()) && !plan_->problem().isEmpty());
+  if (!isMade || !source_.run || !source_.isUpToDate || isWrong) {
     size_->clear();
     return;
   }

@@ -19,14 +19,14 @@ constexpr double kLeastArea = 1e-12, kLeastShare = 1e-7;
 
 FieldVector inPlan(const Vec3& p) { return {p.x, p.y}; }
 
-}  // namespace
-
 double areaInPlan(const ConvexPolygon& polygon) {
   double twice = 0;
   for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
     twice += cross(inPlan(polygon[i]) - inPlan(polygon[0]), inPlan(polygon[i + 1]) - inPlan(polygon[0]));
   return twice / 2;
 }
+
+}  // namespace
 
 const std::vector<FacePart>& FaceDivider::divide(std::uint32_t face, const ConvexPolygon& corners) {
   const detail::FieldSurface& surface = field_.surface();
@@ -45,30 +45,47 @@ const std::vector<FacePart>& FaceDivider::divide(std::uint32_t face, const Conve
       if (window.into == (half & 1))
         addWindow(corners, field_.features()[window.feature], line.at(window.lo), line.at(window.hi));
   }
+  parts_.clear();
+  if (hasTooMany()) return parts_;
   // All parts are compared with whole ones: the part of the nearest piece never loses a place.
   parts_ = whole_;
-  for (std::size_t i = 0; i < parts_.size(); ++i)
+  for (std::size_t i = 0; i < parts_.size(); ++i) {
+    poll_();
     for (std::size_t k = 0; k < whole_.size(); ++k)
       if (i != k) takeOut(parts_[i], whole_[k]);
+  }
   std::erase_if(parts_,
                 [this](const FacePart& part) { return areaInPlan(part.polygon) <= kLeastArea * bound_ * bound_; });
-  for (FacePart& part : parts_)
+  for (FacePart& part : parts_) {
+    poll_();
     for (const FacePart& other : parts_)
       if (&other != &part) addShare(part, other);
+  }
   return parts_;
+}
+
+const FaceDivider::Fan& FaceDivider::fanAt(const FieldFeature& feature) {
+  const auto [found, isNew] = fans_.try_emplace(&feature);
+  Fan& fan = found->second;
+  if (!isNew) return fan;
+  const detail::FieldSurface& surface = field_.surface();
+  for (const detail::FieldCorner& c : detail::fanFrom(surface, feature.face, feature.side)) {
+    const FieldVector first = surface.corner(c.face, c.corner + 1) - feature.place;
+    fan.last = surface.corner(c.face, c.corner + 2) - feature.place;
+    const double turn = std::atan2(cross(first, fan.last), dot(first, fan.last));
+    fan.turns[{c.face, static_cast<std::uint32_t>(c.corner)}] = {fan.whole, turn};
+    fan.whole += turn;
+  }
+  return fan;
 }
 
 void FaceDivider::addCone(const ConvexPolygon& corners, const detail::FieldCorner& at, const FieldFeature& feature) {
   const detail::FieldSurface& surface = field_.surface();
-  const std::vector<detail::FieldCorner> fan = detail::fanFrom(surface, feature.face, feature.side);
-  double before = 0, behind = 0, own = 0;  // turns of the faces from the first edge, and to the last one
-  for (const detail::FieldCorner& c : fan) {
-    const FieldVector first = surface.corner(c.face, c.corner + 1) - feature.place;
-    const FieldVector last = surface.corner(c.face, c.corner + 2) - feature.place;
-    const double turn = std::atan2(cross(first, last), dot(first, last));
-    const bool isOwn = c.face == at.face && c.corner == at.corner;
-    (isOwn ? own : own > 0 ? behind : before) += turn;
-  }
+  const Fan& fan = fanAt(feature);
+  const auto found = fan.turns.find({at.face, static_cast<std::uint32_t>(at.corner)});
+  if (found == fan.turns.end()) return;
+  const auto [before, own] = found->second;
+  const double behind = fan.whole - before - own;
   cutter_.polygon() = corners;
   const auto cutBefore = [&](FieldVector side) {
     cutter_.cut([&](const Vec3& p) { return -dot(inPlan(p) - feature.place, side); });
@@ -76,7 +93,7 @@ void FaceDivider::addCone(const ConvexPolygon& corners, const detail::FieldCorne
   constexpr double kQuarter = std::numbers::pi / 2;
   if (before + own <= kQuarter || behind + own <= kQuarter) return;
   if (before < kQuarter) cutBefore(surface.corner(feature.face, feature.side + 1) - feature.place);
-  if (behind < kQuarter) cutBefore(surface.corner(fan.back().face, fan.back().corner + 2) - feature.place);
+  if (behind < kQuarter) cutBefore(fan.last);
   add(cutter_.polygon(), feature);
 }
 
@@ -125,7 +142,7 @@ bool FaceDivider::findFarther(const FacePart& part, const FacePart& other, Linea
     // The sign of the difference is that of the difference of squares.
     const double apart = lengthOf(between);
     if (!(apart > 0)) return false;
-    farther = {between * (-1 / apart), (dot(own.place, own.place) - dot(near.place, near.place)) / (2 * apart)};
+    farther = {between * (-1 / apart), dot(own.place + near.place, between) / (2 * apart)};
     return true;
   }
   if (near.isCorner()) {

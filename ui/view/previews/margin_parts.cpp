@@ -30,12 +30,13 @@ class MarginParts::Drawing {
  public:
   Drawing(const MarginParts& parts, const Paint& paint) : parts_(parts) { setPaint(vertex_, paint); }
 
-  void reserve(std::size_t triangles) { geometry_->surface.reserve(3 * triangles); }
+  void reserve(std::size_t triangles) { geometry_->surface.reserve(3 * std::min(triangles, kMostShown)); }
+  [[nodiscard]] bool isTooLarge() const { return geometry_->surface.size() / 3 > kMostShown; }
   /// Adds the places of a part from `low` to `high`.
   void add(const Part& part, double low, double high);
   [[nodiscard]] std::shared_ptr<const NavigationMeshGeometry> finish() const {
     const std::size_t count = geometry_->surface.size() / 3;
-    return count == 0 || count > kMostShown ? nullptr : geometry_;
+    return count == 0 || isTooLarge() ? nullptr : geometry_;
   }
 
  private:
@@ -58,7 +59,7 @@ MarginParts::MarginParts(const NavigationMesh& mesh, double bound, const Vec3& c
   // Bridges over gaps come behind the faces of the mesh, and are no floor.
   const auto faces = static_cast<std::uint32_t>(mesh.triangles.size());
   normals_.reserve(faces);
-  FaceDivider divider(field, bound);
+  FaceDivider divider(field, bound, poll);
   ConvexPolygon triangle;
   for (std::uint32_t face = 0; face < faces && !hasTooMany_; ++face) {
     if (face % kFacesPerPoll == 0) poll();
@@ -70,7 +71,7 @@ MarginParts::MarginParts(const NavigationMesh& mesh, double bound, const Vec3& c
     for (const Vec3* p : corners)
       triangle.add({p->x - field.surface().origin.x, p->y - field.surface().origin.y, p->z - centre.z});
     for (const FacePart& part : divider.divide(face, triangle)) addPart(face, part);
-    hasTooMany_ = parts_.size() > kMostParts;
+    hasTooMany_ = divider.hasTooMany() || parts_.size() > kMostParts;
   }
   if (hasTooMany_) {
     parts_ = {};
@@ -194,10 +195,10 @@ std::shared_ptr<const NavigationMeshGeometry> MarginParts::draw(double low, doub
   const auto end = endOf(high);
   std::size_t most = 0;
   for (auto part = parts_.begin(); part != end; ++part)
-    if (isWanted(*part)) most += part->cornerCount;
+    if (isWanted(*part)) most += part->cornerCount - 2;
   Drawing drawing(*this, paint);
   drawing.reserve(most);
-  for (auto part = parts_.begin(); part != end; ++part)
+  for (auto part = parts_.begin(); part != end && !drawing.isTooLarge(); ++part)
     if (isWanted(*part)) drawing.add(*part, low, high);
   return drawing.finish();
 }

@@ -279,7 +279,7 @@ void LayerPanel::showStates() {
 
 // The counts, each with its bound once that is known.
 QString LayerPanel::countsText() const {
-  const QString layersText = layers() == 1 ? tr("1 layer") : tr("%1 layers").arg(layers());
+  const QString layersText = layers() == 1 ? tr("1 layer") : tr("%1 layers").arg(countText(layers()));
   if (!counts_) return layersText;
   const auto withBound = [](const QString& text, std::size_t count, std::size_t least) {
     if (count <= 1 || least == 0) return text;
