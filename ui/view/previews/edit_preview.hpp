@@ -34,7 +34,7 @@ class EditPreview {
   virtual ~EditPreview() = default;
   /// Surfaces to draw over the last result (ViewContent::changes) when the values, as many as the filter has, change
   /// from those of the run to others. Empty when nothing changes, when only the run can compute the change, or when it
-  /// has too many triangles: more than kMostPreviewed, and for margins, which are only cut, more than ten times as many.
+  /// has too many triangles: more than kMostPreviewed, for margins ten times as many.
   [[nodiscard]] virtual Surfaces changes(const Values& from, const Values& to) const = 0;
   /// Returns whether the preview also suits a later run with the same steps before this one.
   [[nodiscard]] virtual bool suits(const EditedStep& step) const = 0;
