@@ -19,8 +19,8 @@ constexpr double kOblique = 0.75;
 /// The angle by which a direction is turned is halved this many times at most; the smallest angle is the last one.
 constexpr int kTurns = 20;
 constexpr double kMostTurn = 8;  // tangent of the angle
-/// The greatest distance of a corner from the end of a piece, along the frame: as a part of the piece's length, and as a
-/// part of the gap.
+/// The greatest distance of a corner from the end of a piece, along the frame: as a part of the piece's length, and as
+/// a part of the gap.
 constexpr double kMostOfLength = 0.25, kMostOfGap = 0.5;
 
 struct PlanDirection {
