@@ -48,7 +48,7 @@ class LinkLines {
       if (i % kPolled == 0) context.checkCancelled();
       const StepLink& link = mesh.links[i];
       if (link.kind != kind_) continue;
-      const bool isFirst = D == 4 || isForwards(mesh, link.from);
+      const bool isFirst = isAlongFirstEdge(mesh, link);
       const auto &from = isFirst ? link.from : link.to, &to = isFirst ? link.to : link.from;
       addSegment(pointOf(mesh, from[0], to[1]), pointOf(mesh, from[1], to[0]), number);
     }
@@ -68,12 +68,6 @@ class LinkLines {
   }
 
  private:
-  /// The order of the two edges of a gap must be the same for all its pieces: first the one towards larger x, or y.
-  static bool isForwards(const NavigationMesh& mesh, const std::array<std::uint32_t, 2>& edge) {
-    const Vec3 &a = mesh.vertices[edge[0]], &b = mesh.vertices[edge[1]];
-    return a.x != b.x ? a.x < b.x : a.y < b.y;
-  }
-
   [[nodiscard]] Point<D> pointOf(const NavigationMesh& mesh, std::uint32_t first, std::uint32_t second) const {
     if constexpr (D == 6) {
       const Vec3 &p = mesh.vertices[first], &q = mesh.vertices[second];
@@ -141,6 +135,12 @@ class LinkLines {
 };
 
 }  // namespace
+
+bool isAlongFirstEdge(const NavigationMesh& mesh, const StepLink& link) {
+  if (link.kind != StepKind::Gap) return true;
+  const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
+  return a.x != b.x ? a.x < b.x : a.y < b.y;
+}
 
 LinkDifference subtractLinks(const ComparedSurfaces& surfaces, const NavigationMesh& a, const NavigationMesh& b,
                              RunContext& context) {

@@ -7,6 +7,10 @@
 
 namespace footfall::detail::comparison {
 
+/// Returns whether the length of a link is that of its first edge. The edges of a gap may differ in length, and their
+/// order must be the same for all pieces of a gap: first the one towards larger x, or y.
+bool isAlongFirstEdge(const NavigationMesh& mesh, const StepLink& link);
+
 /// A step is the points (x, y, lower height, upper height) over a stretch of the plan: a segment in four dimensions,
 /// its ends at the rounded vertices. So two steps have more than a point in common only on one line of that space, and
 /// on each line intervals are subtracted. Steps cut into other pairs of edges are the same where the cuts lie on the

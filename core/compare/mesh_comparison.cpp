@@ -76,7 +76,8 @@ void describeLinks(const NavigationMesh& mesh, MeshDescription& description) {
   description.links = mesh.links.size();
   long double sum = 0;
   for (const StepLink& link : mesh.links) {
-    const Vec3 &a = mesh.vertices[link.from[0]], &b = mesh.vertices[link.from[1]];
+    const auto& edge = comparison::isAlongFirstEdge(mesh, link) ? link.from : link.to;
+    const Vec3 &a = mesh.vertices[edge[0]], &b = mesh.vertices[edge[1]];
     sum += std::hypot(b.x - a.x, b.y - a.y);
     description.highestLink = std::max(description.highestLink, link.height);
     description.gaps += link.kind == StepKind::Gap ? 1 : 0;
