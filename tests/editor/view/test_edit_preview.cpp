@@ -349,8 +349,11 @@ class TestEditPreview : public QObject {
       const auto side = [&p](const Vec3& from, const Vec3& to) {
         return (to.x - from.x) * (p.y - from.y) - (to.y - from.y) * (p.x - from.x);
       };
-      const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x), least = -1e-6;
-      if (side(a, b) < least || side(b, c) < least || side(c, a) < least || area < 1e-9) continue;
+      const auto isBeside = [&side](const Vec3& from, const Vec3& to) {
+        return side(from, to) < -1e-6 * std::hypot(to.x - from.x, to.y - from.y);
+      };
+      const double area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+      if (isBeside(a, b) || isBeside(b, c) || isBeside(c, a) || area < 1e-9) continue;
       const double z = (a.z * side(b, c) + b.z * side(c, a) + c.z * side(a, b)) / area;
       if (std::abs(z - p.z) < 0.05) return true;
     }
