@@ -178,10 +178,12 @@ class TestRunController : public QObject {
     document_->setValue(clearanceId(), 0, 1.5, 1);
     QVERIFY(controller_->busy() && !controller_->settling());  // the first edit runs at once
     QElapsedTimer clock;
+    clock.start();
     for (const double height : {1.4, 1.3, 1.2}) {
       document_->setValue(clearanceId(), 0, height, 1);
-      QVERIFY(controller_->settling());  // it follows closely
-      QVERIFY(!controller_->remaining().has_value());
+      const bool isClose = clock.elapsed() < 250;  // a loaded machine may have waited for longer
+      QVERIFY(controller_->settling() || !isClose);
+      QVERIFY(!controller_->remaining().has_value() || !isClose);
       clock.start();
       QTest::qWait(50);
     }
