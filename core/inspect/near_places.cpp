@@ -18,19 +18,10 @@ constexpr std::size_t kPolled = 1 << 14;
 
 /// A vertex and the place of the grid nearest to it.
 struct Rounded {
-  std::array<std::int64_t, 3> place;
+  GridPlace place;
   std::array<double, 3> vertex;
   auto operator<=>(const Rounded&) const = default;
 };
-
-std::uint64_t mixed(const std::array<std::int64_t, 3>& place) {
-  std::uint64_t key = 0;
-  for (const std::int64_t x : place) {
-    key = (key ^ static_cast<std::uint64_t>(x)) * 0x9E3779B97F4A7C15U;
-    key ^= key >> 32;
-  }
-  return key;
-}
 
 }  // namespace
 
@@ -55,7 +46,7 @@ NearPlaces countNearPlaces(const Environment& environment, Poll poll) {
     if (isCorner[i] == 0) continue;
     const Vec3& v = environment.vertices[i];
     const GridPlace place = gridPlace(v, step);
-    if ((mixed(place) & (parts - 1)) == 0) places.push_back({place, {v.x + 0.0, v.y + 0.0, v.z + 0.0}});
+    if ((GridPlaceHash()(place) & (parts - 1)) == 0) places.push_back({place, {v.x + 0.0, v.y + 0.0, v.z + 0.0}});
   }
   std::sort(places.begin(), places.end());
   NearPlaces result{0, 0, step};
