@@ -33,7 +33,7 @@ struct SurfaceTopology {
   std::vector<std::uint32_t> components;   ///< component of each triangle, numbered from 0 in the order of their first
                                            ///< triangles
   std::uint32_t componentCount = 0;
-  /// For each side the number of the same side in the neighbour, with kStep where a step leads there.
+  /// The number of each side in the neighbour, with kStep where a step leads there.
   std::vector<std::array<std::uint8_t, 3>> across;
   static constexpr std::uint8_t kStep = 4;
 

@@ -294,7 +294,7 @@ std::optional<CorridorFoot> CorridorNetwork::footOf(std::uint32_t face, FieldVec
 }
 
 std::optional<CorridorFoot> CorridorNetwork::wayNear(std::uint32_t face, FieldVector p, std::uint32_t feature) const {
-  // Where the ray from the border meets the axis, a second feature is as near as `feature`. Further along the ray, up
+  // A second feature is as near as `feature` where the ray from the border meets the axis. Further along the ray, up
   // to here, `feature` recedes the fastest of all, and by 4 margins more than the nearest at most (footOf()); so the
   // second one is as near as that, too. Distances of the field are off by a margin: both features of a way here are
   // within 8. Ends of ways are off by `astray` at most (core/include/footfall/corridor_map.hpp). Between two

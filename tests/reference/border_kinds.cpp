@@ -124,7 +124,7 @@ std::vector<BorderStretch> stretchesOf(const Environment& environment, const Vec
       return false;
     });
   };
-  // On a grid, a wall that leans by at most four steps between the step and the height stands at the border if it is
+  // A wall that leans by at most four steps of a grid between the step and the height stands at the border if it is
   // within four steps; where two or eight steps decide, it is doubtful. Halving the distance misses no such wall.
   const auto reachesWithin = [&](double share, double steps) {
     const double most = steps * environment.grid.step;

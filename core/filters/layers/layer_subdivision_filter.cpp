@@ -5,7 +5,7 @@
 // A region that lies nowhere above itself is one piece; others are divided (layer_pieces.hpp). The pieces are then put
 // into as few layers as a greedy pass finds. Outlines decide which regions lie above themselves (double_cover.hpp), and
 // triangles are looked up among those of a piece (piece_conflicts.hpp) or of the pieces of a layer (layer_cover.hpp).
-// Where an earlier run left its layers and the overlaps that it met, most of that is known already
+// An earlier run that left its layers and the overlaps that it met makes most of that known already
 // (known_overlaps.hpp). The result is the same.
 
 #include <algorithm>

@@ -180,7 +180,7 @@ std::optional<GapPiece> GapConditions::findBetween(const GapBorder& first, const
   const auto& [own, other] = places;
   if (!(own[1] - own[0] > kShort) || !(other[1] - other[0] > kShort)) return std::nullopt;
   const Profiles p(piece.frame, first, second);
-  // What findFree() leaves to turned ways must not make the higher floor an obstacle.
+  // The slack that findFree() gives turned ways must not make the higher floor an obstacle.
   const double skew = std::max(std::fabs(other[0] - own[0]), std::fabs(other[1] - own[1]));
   const double highest = step_ - 4 * p.heightSlack() - 2 * skew * std::max(p.first.slope(), p.second.slope());
   const double most = gap_ - kSpareWidth;

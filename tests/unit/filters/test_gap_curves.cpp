@@ -92,7 +92,7 @@ class TestGapCurves : public QObject {
     }
   }
 
-  // Where a way to a corner is too long or blocked, the ways are as they are without the corner.
+  // A way to a corner that is too long or blocked leaves the ways as they are without the corner.
   void cornersThatNothingLeadsTo() {
     const Soup soup = halfRing({0.03, 0, 0.125});
     const NavigationMesh narrow = linked(soup, 0.25, 0.0299);
@@ -132,7 +132,7 @@ class TestGapCurves : public QObject {
     }
   }
 
-  // What a later filter leaves of a way keeps its direction: no wedge opens at the corners that are left.
+  // The rest that a later filter leaves of a way keeps its direction: no wedge opens at the corners that are left.
   void laterFiltersKeepWaysSideBySide() {
     const Soup soup = halfRing({0.03, 0, 0.125}).ceiling(1.5, -0.25, 2.5, 0.125, 2.5);
     const NavigationMesh mesh = linked(soup, 0.25, 0.08, "VerticalClearanceFilter 3\n");

@@ -213,7 +213,7 @@ bool agreesWithDefinition(const std::shared_ptr<const Environment>& environment,
         ++counts.expected;
         if (links.contains({first, second})) continue;
         const Point3 p = placeOn(a, percent / 100.0);
-        // Where a link leads to corners, a way may lead beside the place across, by half of the gap.
+        // A way of a link that leads to corners may lead beside the place across, by half of the gap.
         const double across = along(p);
         const bool leadsBeside = std::ranges::any_of(links, [&](const auto& link) {
           const auto& [from, to] = link.first;
